@@ -2,7 +2,7 @@
 //!
 //! A catalogue is JSON: the English texts and their translations. A translation is a text, or for a text with a number
 //! its forms by the plural categories of CLDR. `null` stands for a translation that is still to be made. In the browser,
-//! `www/js/words.js` reads the same files.
+//! `www/js/base/words.js` reads the same files.
 
 use icu_locale_core::Locale;
 use icu_plurals::{PluralCategory, PluralRules};

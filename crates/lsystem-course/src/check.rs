@@ -3,9 +3,9 @@
 //! The comparison names the first difference. Before that it looks for the usual reasons: another generation, rules
 //! applied one after another instead of all at once, a picture that is turned, mirrored, or in another order.
 
+mod messages;
 mod segments;
 mod string;
-mod words;
 
 use crate::compiled::compiled;
 use lsystem_base::say;

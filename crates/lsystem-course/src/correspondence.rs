@@ -7,7 +7,7 @@ use lsystem_syntax::{Action, Definition, FIELDS, Grammar, Module, Pattern, Produ
 const LETTERS: [&str; 10] =
     ["axiom", "rules", "iterations", "dialect", "overrides", "title", "name", "source", "notes", "seed"];
 /// The most letters of one system that are compared with one of the other.
-const MOST_PAIRS: usize = 1_000;
+const MAX_PAIRS: usize = 1_000;
 
 /// Whether a correspondence of letters proves that two systems draw the same after any number of steps: corresponding
 /// letters have the same actions, and successors of corresponding letters. One letter may correspond to several.
@@ -39,7 +39,7 @@ pub(crate) fn draw_alike(a: &Definition, b: &Definition) -> bool {
                 continue;
             }
             pairs.push(pair);
-            let is_alike = pairs.len() <= MOST_PAIRS && own.actions.of(a.symbol) == other.actions.of(b.symbol);
+            let is_alike = pairs.len() <= MAX_PAIRS && own.actions.of(a.symbol) == other.actions.of(b.symbol);
             match (own.rule(a), other.rule(b)) {
                 _ if !is_alike => return false,
                 (None, None) => {}

@@ -1,6 +1,7 @@
 //! The first segment of an answer that the target does not have.
 
 use crate::fit::{Ends, Fit, length};
+use lsystem_base::sorted;
 use std::collections::HashSet;
 
 /// The part of a usual segment by which places, directions and lengths may differ.
@@ -71,7 +72,7 @@ fn placed(own: &[Ends], target: &[Ends]) -> Option<(Vec<Ends>, Vec<Ends>)> {
     let start = Fit::first(own);
     let usual = |list: &[Ends]| {
         let mut lengths = list.iter().take(COMPARED).map(length).filter(|long| *long > 0.0).collect::<Vec<_>>();
-        lengths.sort_by(f64::total_cmp);
+        sorted::sort_by(&mut lengths, f64::total_cmp);
         lengths.get(lengths.len() / 2).copied()
     };
     let sizes = [fit.size, start.size, fit.size * usual(own)? / usual(target)?];

@@ -1,11 +1,14 @@
 //! Exercises: a target, what the student is given, and what counts as solved.
 
-use crate::variants::MAX_VARIANTS;
 use lsystem_base::words::said;
 use lsystem_base::{say, word};
 use lsystem_files::packed::{pack, unpack};
-use lsystem_syntax::{Definition, FIELDS, parse};
+use lsystem_syntax::fields::Section;
+use lsystem_syntax::{Definition, FIELDS, FieldSpec, parse};
 use serde::{Deserialize, Serialize};
+
+/// The most variants besides the target itself.
+pub(crate) const MAX_VARIANTS: usize = 40;
 
 /// The most bytes of an exercise as JSON.
 const MAX_JSON: usize = 256 << 10;
@@ -188,7 +191,7 @@ impl Exercise {
         self.hints.truncate(MAX_HINTS);
         self.hints.iter_mut().for_each(|hint| cut(hint, MAX_WORDS));
         self.variants.truncate(MAX_VARIANTS);
-        self.variants.iter_mut().chain([&mut self.target]).for_each(|target| target.sway = [0.0; 2]);
+        self.variants.iter_mut().chain([&mut self.target]).for_each(|target| target.wind = [0.0; 2]);
         self.tolerance = self.tolerance.filter(|least| (0.0..1.0).contains(least));
         self
     }
@@ -223,7 +226,7 @@ impl Exercise {
             start.iterations = if self.n == Given::Free { self.first.n } else { 0 };
         }
         if self.turtle != Given::Shown {
-            copy(&mut start, &usual, if self.turtle == Given::Free { &SYMBOLS } else { &TURTLE });
+            copy(&mut start, &usual, &if self.turtle == Given::Free { SYMBOLS.to_vec() } else { turtle() });
         }
         start
     }
@@ -282,21 +285,13 @@ impl Exercise {
 const ANGLES: [&str; 6] = ["angle", "rightAngle", "pitchDown", "pitchUp", "rollLeft", "rollRight"];
 /// The fields of the turtle that a student may have to find.
 const SYMBOLS: [&str; 3] = ["dialect", "overrides", "heading"];
-/// All fields of the turtle.
-const TURTLE: [&str; 12] = [
-    "dialect",
-    "overrides",
-    "surfaces",
-    "heading",
-    "step",
-    "start",
-    "lengthFactor",
-    "tropism",
-    "elasticity",
-    "sway",
-    "angleVariation",
-    "lengthVariation",
-];
+
+/// The names of the turtle's fields but its angles, and but the growth, which belongs to the iterations.
+fn turtle() -> Vec<&'static str> {
+    let is_turtle = |spec: &&FieldSpec| spec.file.is_some_and(|(section, _)| section == Section::Turtle);
+    let names = FIELDS.iter().filter(is_turtle).map(|spec| spec.name);
+    names.filter(|name| *name != "growth" && !ANGLES.contains(name)).collect()
+}
 
 fn copy(to: &mut Definition, from: &Definition, names: &[&str]) {
     for spec in FIELDS.iter().filter(|spec| names.contains(&spec.name)) {
@@ -352,7 +347,7 @@ mod tests {
 
     #[test]
     fn every_named_field_exists() {
-        for name in ANGLES.iter().chain(&TURTLE).chain(&["axiom", "iterations"]) {
+        for name in ANGLES.iter().chain(&SYMBOLS).chain(&["axiom", "iterations"]) {
             assert!(FIELDS.iter().any(|spec| spec.name == *name && spec.is_defined()), "{name}");
         }
     }

@@ -1,5 +1,6 @@
 //! Whether the graphs of blocks of two drawings prove that both have the same ink, however many segments there are.
 
+use lsystem_base::sorted;
 use lsystem_drawing::{Block, BlockFrame, BlockId, Drawing, Item, Placed, Space, StyleChange};
 use std::collections::{BTreeMap, HashSet};
 
@@ -10,7 +11,7 @@ const CELL: f64 = 1e-6;
 /// Where the cells begin. Coordinates of drawings are seldom near a border then.
 const BORDER: f64 = 0.377 * CELL;
 /// The most items that are compared as sets.
-const MOST_ITEMS: usize = 1 << 18;
+const MAX_ITEMS: usize = 1 << 18;
 
 /// Whether the graphs of two drawings prove equal pictures, up to the place and the size of the whole. Two blocks have
 /// the same ink if their items are the same: strokes, polygons, and blocks that have the same ink in turn. Order,
@@ -24,7 +25,7 @@ pub(crate) fn is_same_graph<S: Space>(a: &Drawing<S>, b: &Drawing<S>) -> bool {
     }
     // Equal graphs may still share differently: a block of one may have several partners in the other.
     let most = 4 * (a.block_count() + b.block_count());
-    let mut items_left = MOST_ITEMS;
+    let mut items_left = MAX_ITEMS;
     let mut known: HashSet<(BlockId, BlockId)> = HashSet::from([(first, second)]);
     let mut open = vec![(first, second)];
     while let Some((first, second)) = open.pop() {
@@ -132,7 +133,7 @@ impl Places {
         }
         // Different blocks at one place pair up by their sizes.
         for place in places.0.values_mut() {
-            place.blocks.sort_by_key(|block| drawing.blocks[block.0 as usize].segments);
+            sorted::sort_by_key(&mut place.blocks, |block| drawing.blocks[block.0 as usize].segments);
         }
         Some(places)
     }

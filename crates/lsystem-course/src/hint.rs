@@ -29,7 +29,7 @@ impl Marker {
         let tries = Tries { left: Cell::new(MAX_STEPS) };
         let own = tries.sketch(&whole)?;
         if own.mask.is_empty() && !self.target().mask.is_empty() {
-            let system = System::new(&whole).0?;
+            let system = System::new(&whole).ok()?;
             return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| say!("Nothing is drawn.")));
         }
         if !exercise.asks.is_searched() {

@@ -38,11 +38,11 @@ pub mod steps;
 mod variants;
 
 pub use check::{Check, MAX_OUTPUT, Output, Verdict, check};
-pub use class::{Answer, Class, Marked, Mistake, SMALL, answers, exercise_in, mistakes};
+pub use class::{Answer, ClassMarker, Handed, Marked, Mistake, SMALL, answers, exercise_in, mistakes};
 pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};
 pub use page_words::{PageWords, words_in};
 pub use same::is_same_picture;
-pub use scorm::{MAX_EXERCISES, Scorm, ScormPages, ScormStandard, scorm_package};
+pub use scorm::{Scorm, ScormPages, ScormStandard, scorm_package};
 pub use variants::Varied;

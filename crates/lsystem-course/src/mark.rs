@@ -26,8 +26,8 @@ const LIMITS: Limits =
 const SEEDS: [u32; 2] = [0, 1_000];
 
 /// The most generations, and the most segments of each, that are compared besides the one that is asked for.
-const MOST_GENERATIONS: u32 = 12;
-const MOST_COMPARED: u64 = 20_000;
+const MAX_GENERATIONS: u32 = 12;
+const MAX_COMPARED: u64 = 20_000;
 
 /// The usual size of a shown picture, in CSS pixels.
 const SHOWN: f64 = 320.0;
@@ -108,7 +108,7 @@ impl Marker {
     /// The errors of the target, or the limit that it exceeds.
     pub fn new(mut exercise: Exercise) -> Result<Self, Vec<Diagnostic>> {
         // Wind moves equal pictures of different derivations apart.
-        exercise.target.sway = [0.0; 2];
+        exercise.target.wind = [0.0; 2];
         let one = |limit| vec![limit];
         let target = Sketching::new(&exercise.target)?.finish().map_err(one)?;
         let (mut text, mut sample) = (None, None);
@@ -299,10 +299,10 @@ impl Marker {
         }
         let at = |definition: &Definition, n: u32| Definition { iterations: n, ..definition.clone() };
         let is_same_at = |n: u32| {
-            let ink = ink(&at(target, n), MOST_COMPARED);
-            ink.zip(drawn(&at(whole, n), MOST_COMPARED)).is_some_and(|(mut ink, own)| is_of(&mut ink, &own))
+            let ink = ink(&at(target, n), MAX_COMPARED);
+            ink.zip(drawn(&at(whole, n), MAX_COMPARED)).is_some_and(|(mut ink, own)| is_of(&mut ink, &own))
         };
-        if n <= MOST_GENERATIONS && (0..n).all(is_same_at) {
+        if n <= MAX_GENERATIONS && (0..n).all(is_same_at) {
             say!("The picture is the same, for n up to {}.", n)
         } else {
             alone()
@@ -410,9 +410,9 @@ fn percent(part: f64) -> String {
 
 /// A count in words: with separators, or with an exponent if it has many digits.
 pub(crate) fn counted(count: &Tally) -> String {
-    const MOST_DIGITS: usize = 39;
+    const MAX_DIGITS: usize = 39;
     match count.to_string() {
-        digits if digits.len() <= MOST_DIGITS => grouped(&digits),
+        digits if digits.len() <= MAX_DIGITS => grouped(&digits),
         digits => say!("about {} × 10^{}", shown(&format!("{}.{}", &digits[..1], &digits[1..3])), digits.len() - 1),
     }
 }

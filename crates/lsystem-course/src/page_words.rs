@@ -8,7 +8,7 @@ use lsystem_files::packed::unpack;
 const LARGEST: usize = 64 << 20;
 /// The length of the shortest part of a text that is searched, in bytes.
 const SHORTEST: usize = 4;
-/// What lets a page of the site fetch words. Pages that leave the site have theirs inside, or are English.
+/// The element with which a page of the site fetches its texts. Pages that leave the site contain theirs, or are English.
 const FETCHES: &str = "connect-src 'self'; ";
 
 /// The words of a language for pages.
@@ -22,7 +22,7 @@ pub struct PageWords<'a> {
 
 impl PageWords<'_> {
     /// A page in a single file, in this language: the translations of the texts in it stand after its title, where
-    /// `www/js/words.js` reads them. The text for readers without scripts is translated by the reader of words.
+    /// `www/js/base/words.js` reads them. The text for readers without scripts is translated by the reader of words.
     ///
     /// `also` are texts that the page shows and does not have as they are, as those of exercises in links. `None` if the
     /// page has no title or the catalogue is damaged.
@@ -256,7 +256,7 @@ mod tests {
         }
     }
 
-    /// What [`words_in`] gives, from decoded keys, by one search for each part.
+    /// The same texts as [`words_in`] gives, from decoded keys, by one search for each part.
     fn naive(catalogue: &str, file: &str) -> Map<String, Value> {
         let blank = |text: &str| {
             let mut text = text.replace("\\n", " ").replace(|c: char| c.is_ascii_whitespace(), " ");

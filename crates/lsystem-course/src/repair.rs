@@ -8,15 +8,16 @@ use crate::sketch::{LIMITS, lists};
 use core::fmt;
 use lsystem_base::Limits;
 use lsystem_base::say;
+use lsystem_base::sorted;
 use lsystem_drawing::Figure;
-use lsystem_syntax::{Action, Definition};
+use lsystem_syntax::{Action, Definition, Motion};
 
 /// The derivation steps of the drawings that are tried: small drawings show a wrong symbol, too.
 const STEPS: u32 = 3;
 /// The most segments of a drawing that is tried, and of the drawings that are compared in the end.
-const MOST: [u64; 2] = [2_000, 20_000];
+const MAX: [u64; 2] = [2_000, 20_000];
 /// The most changes that are tried.
-const MOST_CHANGES: usize = 2_000;
+const MAX_CHANGES: usize = 2_000;
 
 /// A change of one symbol that makes an answer right.
 pub(crate) struct Repair {
@@ -51,20 +52,20 @@ impl Repair {
             return None;
         }
         let mut late = None;
-        let mut early = ink(&Definition { iterations: n.min(STEPS), ..target.clone() }, MOST[0])?;
+        let mut early = ink(&Definition { iterations: n.min(STEPS), ..target.clone() }, MAX[0])?;
         let mut is_right = |whole: &Definition| {
-            let is_early = drawn(&Definition { iterations: n.min(STEPS), ..whole.clone() }, MOST[0])
+            let is_early = drawn(&Definition { iterations: n.min(STEPS), ..whole.clone() }, MAX[0])
                 .is_some_and(|figure| is_of(&mut early, &figure));
             if !is_early || n <= STEPS {
                 return is_early;
             }
-            late = late.take().or_else(|| ink(target, MOST[1]));
-            drawn(whole, MOST[1]).is_some_and(|figure| late.as_mut().is_some_and(|late| is_of(late, &figure)))
+            late = late.take().or_else(|| ink(target, MAX[1]));
+            drawn(whole, MAX[1]).is_some_and(|figure| late.as_mut().is_some_and(|late| is_of(late, &figure)))
         };
         if is_right(&exercise.complete(student)) {
             return None;
         }
-        changes(exercise, student).take(MOST_CHANGES).find_map(|Change { repair, rules }| {
+        changes(exercise, student).take(MAX_CHANGES).find_map(|Change { repair, rules }| {
             let whole = exercise.complete(&Definition { rules, ..student.clone() });
             is_right(&whole).then_some(repair)
         })
@@ -127,7 +128,7 @@ fn changes(exercise: &Exercise, student: &Definition) -> impl Iterator<Item = Ch
         .map(|symbol| (symbol, kind(symbol)))
         .filter(|(_, kind)| *kind != Kind::Bracket)
         .collect();
-    alphabet.sort_unstable_by_key(|(symbol, _)| *symbol);
+    sorted::sort_by_key(&mut alphabet, |(symbol, _)| *symbol);
     alphabet.dedup_by_key(|(symbol, _)| *symbol);
     let mut all = Vec::new();
     let mut first = 0;
@@ -166,7 +167,7 @@ fn changes(exercise: &Exercise, student: &Definition) -> impl Iterator<Item = Ch
         }
         first += line.len() + 1;
     }
-    all.sort_by_key(|(rank, _)| *rank);
+    sorted::sort_by_key(&mut all, |(rank, _)| *rank);
     all.into_iter().map(|(_, change)| change)
 }
 
@@ -179,8 +180,7 @@ fn successor(line: &str) -> Option<(&str, usize, &str)> {
 }
 
 fn is_turn(action: Action) -> bool {
-    use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
-    matches!(action, TurnLeft(_) | TurnRight(_) | TurnRound | PitchDown(_) | PitchUp(_) | RollLeft(_) | RollRight(_))
+    action.row().motion == Motion::Turn && action != Action::RollUpright
 }
 
 pub(crate) fn drawn(definition: &Definition, most: u64) -> Option<Figure> {

@@ -1,6 +1,7 @@
 //! Whether two pictures have the same ink, whatever the order of their segments, their repeats and their subdivision.
 
 use crate::fit::{Ends, Fit, extent, length};
+use lsystem_base::sorted;
 use std::collections::HashMap;
 
 /// Places and directions that differ by less are equal, in pictures whose longest side is 1.
@@ -160,7 +161,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// Stretches that touch or overlap become one.
 fn merged(mut stretches: Vec<Stretch>) -> Vec<Stretch> {
-    stretches.sort_unstable_by(|a, b| a.line.cmp(&b.line).then(a.start.total_cmp(&b.start)));
+    sorted::sort_by(&mut stretches, |a, b| a.line.cmp(&b.line).then(a.start.total_cmp(&b.start)));
     stretches.dedup_by(|next, last| {
         let touches = next.line == last.line && next.start < last.end + NEAR;
         if touches {

@@ -2,6 +2,7 @@
 
 use crate::compiled::compiled;
 use lsystem_base::Limits;
+use lsystem_base::sorted;
 use lsystem_drawing::{Drawer, Plane, System};
 use lsystem_syntax::{Definition, Diagnostic};
 
@@ -48,7 +49,7 @@ impl Sampling {
         let done = self.sample.0[0].len() as u32;
         if done == SEEDS {
             let mut sample = core::mem::take(&mut self.sample);
-            sample.0.iter_mut().for_each(|measures| measures.sort_by(f64::total_cmp));
+            sample.0.iter_mut().for_each(|measures| sorted::sort_by(measures, f64::total_cmp));
             return Ok(Some(sample));
         }
         self.system.seed = self.first + done;

@@ -15,12 +15,12 @@ use rawzip::{CompressionMethod, DataDescriptorOutput, ZipArchiveWriter, crc32};
 use std::io::{self, Write};
 
 /// The most exercises of a package. The marks of more would not fit into the state that a learning system keeps.
-pub const MAX_EXERCISES: usize = 100;
+pub(crate) const MAX_EXERCISES: usize = 100;
 /// The most UTF-16 units of a package's title.
 const MAX_TITLE: usize = 200;
 /// The level of compression.
 const LEVEL: u8 = 9;
-/// What encloses the steps of the lesson on its page.
+/// The markup around the steps of the lesson on its page.
 const STEPS: [&str; 2] = ["<!-- steps -->", "<!-- /steps -->"];
 
 /// The file that a learning system opens, and the file that its frames show.

@@ -1,15 +1,14 @@
 //! Variants of an exercise: targets of equal difficulty, one for each student by name or number.
 
 use crate::actions::Actions;
-use crate::exercise::Exercise;
+use crate::exercise::{Exercise, MAX_VARIANTS};
 use crate::mark::Marker;
+use lsystem_base::sorted;
 use lsystem_base::word;
 use lsystem_drawing::System;
 use lsystem_syntax::{Definition, Seen, parse, print_axiom, print_rules};
 use serde::{Deserialize, Serialize};
 
-/// The most variants besides the target itself.
-pub(crate) const MAX_VARIANTS: usize = 40;
 /// Angles of plants, in degrees.
 const ANGLES: [f64; 9] = [18.0, 20.0, 22.5, 25.0, 27.5, 30.0, 33.0, 36.0, 40.0];
 /// The seeds of chance besides the target's.
@@ -70,7 +69,7 @@ impl Varied {
                 })
                 .collect(),
             Self::Seed => {
-                let is_random = System::new(target).0.is_some_and(|system| system.is_stochastic());
+                let is_random = System::new(target).is_ok_and(|system| system.is_stochastic());
                 (1..=if is_random { SEEDS } else { 0 })
                     .map(|more| Definition { seed: target.seed.wrapping_add(more), ..target.clone() })
                     .collect()
@@ -144,7 +143,7 @@ fn renamed(target: &Definition) -> Option<Definition> {
     let free = ('A'..='Z').filter(|letter| actions.of(*letter).is_empty() && !is_used(*letter));
     let mut own: Vec<char> = grammar.productions.iter().map(|rule| rule.predecessor.symbol).collect();
     own.retain(|symbol| symbol.is_ascii_uppercase() && actions.of(*symbol).is_empty());
-    own.sort_unstable();
+    sorted::sort(&mut own);
     own.dedup();
     let names: Vec<(char, char)> = own.into_iter().zip(free).collect();
     let renamed = |symbol| names.iter().find(|(from, _)| *from == symbol).map_or(symbol, |(_, to)| *to);

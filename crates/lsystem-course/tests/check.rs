@@ -185,7 +185,7 @@ fn modules_have_numbers_as_programs_print_them() {
         assert_eq!(check(&definition, output).is_right(), is_right, "{output}");
     }
     let random = Definition { rules: "X -> F[+X] : 1\nX -> F[-X] : 1".into(), seed: 7, ..plant(6) };
-    let system = lsystem_drawing::System::new(&random).0.unwrap();
+    let system = lsystem_drawing::System::new(&random).unwrap();
     let string = lsystem_drawing::expand(&system, 6, &lsystem_base::Limits::default()).unwrap();
     assert!(check(&random, &string).is_right());
     let other = string.replacen('+', "-", 1).replacen("[-X]", "[+X]", 1);
@@ -270,7 +270,7 @@ fn space_and_polygons() {
         iterations: 0,
         ..Definition::default()
     };
-    let system = lsystem_drawing::System::new(&cube).0.unwrap();
+    let system = lsystem_drawing::System::new(&cube).unwrap();
     let drawing =
         lsystem_drawing::draw::<lsystem_drawing::Solid>(&system, 0, &lsystem_base::Limits::default()).unwrap();
     let table = lsystem_files::write_csv(&drawing, 100).unwrap();
@@ -285,7 +285,7 @@ fn space_and_polygons() {
 fn own_files() {
     for (dialect, n) in [(Dialect::Abop, 3), (Dialect::EveryLetter, 2)] {
         let definition = Definition { dialect, heading: 30.0, start: [5.0, -3.0], step: 0.1, ..plant(n) };
-        let system = lsystem_drawing::System::new(&definition).0.unwrap();
+        let system = lsystem_drawing::System::new(&definition).unwrap();
         let drawing = lsystem_drawing::draw(&system, n, &lsystem_base::Limits::default()).unwrap();
         let svg = lsystem_files::write_svg(&drawing, &system.style, &lsystem_files::SvgOptions::default()).unwrap();
         assert_eq!(check(&definition, &svg.text).verdict, Verdict::Same);

@@ -317,12 +317,12 @@ fn pictures_are_shown_with_strokes_of_one_width() {
 
 #[test]
 fn wind_does_not_change_the_mark() {
-    let target = Definition { sway: [8.0, 90.0], heading: 80.0, ..system("F[+F]F[-F]", "F -> FF", 25.0, 0) };
+    let target = Definition { wind: [8.0, 90.0], heading: 80.0, ..system("F[+F]F[-F]", "F -> FF", 25.0, 0) };
     let windy = Exercise { axiom: Given::Free, n: Given::Free, ..exercise(&target) };
-    assert_eq!(Exercise::read(&windy.write()).unwrap().start().sway, [0.0; 2]);
+    assert_eq!(Exercise::read(&windy.write()).unwrap().start().wind, [0.0; 2]);
     // The same picture after another number of steps, in another wind.
     let student = Definition { axiom: "A".into(), rules: "A -> F[+F]F[-F]".into(), iterations: 1, ..target };
-    let grade = Marker::new(windy).unwrap().mark(&Definition { sway: [3.0, 0.0], ..student });
+    let grade = Marker::new(windy).unwrap().mark(&Definition { wind: [3.0, 0.0], ..student });
     assert!(grade.is_solved && grade.is_same == Some(true), "{grade:?}");
 }
 

@@ -8,7 +8,7 @@ use lsystem_syntax::Definition;
 fn system(axiom: &str, rules: &str, angle: f64) -> System {
     let definition =
         Definition { axiom: axiom.into(), rules: rules.into(), angle, heading: 0.0, ..Definition::default() };
-    System::new(&definition).0.expect("a system without errors")
+    System::new(&definition).expect("a system without errors")
 }
 
 fn of(axiom: &str, rules: &str, angle: f64) -> Growth {
@@ -204,7 +204,7 @@ fn published_values_are_found() {
         angle: 60.0,
         ..Definition::default()
     };
-    let edge = growth(&System::new(&edge).0.unwrap(), 8).unwrap();
+    let edge = growth(&System::new(&edge).unwrap(), 8).unwrap();
     assert!((edge.dimension.unwrap() - log(3.0) / log(libm::sqrt(7.0))).abs() < 1e-6, "{edge:?}");
 }
 
@@ -236,11 +236,11 @@ fn chance_is_as_simulated() {
         rules: "F -> F[+F]F[-F]F : 0.5\nF -> F[+F]F : 0.3\nF -> F : 0.2".into(),
         ..Definition::default()
     };
-    let growth = growth(&System::new(&definition).0.unwrap(), 4).unwrap();
+    let growth = growth(&System::new(&definition).unwrap(), 4).unwrap();
     let row = &growth.table[4];
     let samples: Vec<f64> = (0..3000)
         .map(|seed| {
-            let system = System::new(&Definition { seed, ..definition.clone() }).0.unwrap();
+            let system = System::new(&Definition { seed, ..definition.clone() }).unwrap();
             expand(&system, 4, &Limits::default()).unwrap().matches('F').count() as f64
         })
         .collect();

@@ -37,7 +37,7 @@ fn the_reference_draws_as_the_library() {
         for system in std::iter::once(system.clone()).chain(edited) {
             let Some(expected) = system.segments() else { continue };
             let definition = system.definition();
-            let compiled = lsystem_drawing::System::new(&definition).0.expect("edits stay readable");
+            let compiled = lsystem_drawing::System::new(&definition).expect("edits stay readable");
             let drawing = lsystem_drawing::draw::<lsystem_drawing::Plane>(&compiled, system.n, &Limits::default())
                 .expect("a small drawing");
             let found: Vec<_> = drawing.segments().map(|segment| [segment.from, segment.to]).collect();

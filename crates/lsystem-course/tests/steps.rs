@@ -14,7 +14,7 @@ fn system(axiom: &str, rules: &str) -> System {
         length_factor: 0.8,
         ..Definition::default()
     };
-    System::new(&definition).0.expect("a system without errors")
+    System::new(&definition).expect("a system without errors")
 }
 
 /// Systems of all kinds.
@@ -154,5 +154,5 @@ fn the_stack_is_told() {
     assert_eq!(trace.states[5].stored.len(), 2);
     assert_eq!(trace.states[5].stored[1], [0.0, 1.0, 0.0]);
     let bent = Definition { axiom: "F".into(), elasticity: 0.2, tropism: [1.0, 0.0, 0.0], ..Definition::default() };
-    assert!(lsystem_course::steps::trace(&System::new(&bent).0.unwrap(), 0, 9).is_err());
+    assert!(lsystem_course::steps::trace(&System::new(&bent).unwrap(), 0, 9).is_err());
 }

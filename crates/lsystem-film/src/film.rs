@@ -5,6 +5,7 @@ use crate::track::view_of;
 use crate::{Script, Subject};
 use core::ops::Range;
 use lsystem_base::number::number as written;
+use lsystem_base::sorted;
 use lsystem_drawing::Origin;
 use lsystem_render::{Camera, Vantage};
 use lsystem_syntax::{Definition, classify};
@@ -53,7 +54,7 @@ impl Film {
             }
             constants.push((at, place.span));
         }
-        constants.sort_by_key(|(_, span)| span.start);
+        sorted::sort_by_key(&mut constants, |(_, span)| span.start);
         Ok(Self { script, definition, vantage, constants })
     }
 
@@ -88,15 +89,15 @@ impl Film {
     pub fn frame_at(&self, time: f64) -> Frame {
         let Script { seconds, fixed, .. } = self.script;
         let frame = self.fitted_at(time);
-        let sways = self.script.tracks.iter().any(|track| track.subject.is_sway());
-        let mut framed = match (fixed, sways) {
+        let has_wind = self.script.tracks.iter().any(|track| track.subject.is_wind());
+        let mut framed = match (fixed, has_wind) {
             (true, _) => Some(self.fitted_at(seconds).definition),
             (false, true) => Some(frame.definition.clone()),
             (false, false) => None,
         };
         // The picture must not move with the bounds of a plant in the wind.
-        if let Some(framed) = framed.as_mut().filter(|_| sways) {
-            framed.sway = [0.0; 2];
+        if let Some(framed) = framed.as_mut().filter(|_| has_wind) {
+            framed.wind = [0.0; 2];
         }
         Frame { framed, ..frame }
     }
@@ -141,7 +142,7 @@ impl Film {
 }
 
 /// Sets the generation to a continuous number: 2.25 is generation 3, whose youngest modules have grown to a quarter.
-/// The page's growth has the same rule (`www/js/growing.js`).
+/// The page's growth has the same rule (`www/js/motion/growing.js`).
 fn grow(definition: &mut Definition, grown: f64) {
     let generation = libm::ceil(grown);
     definition.iterations = generation as u32;
@@ -178,8 +179,8 @@ mod tests {
         let still = Definition { angle: 20.0, ..Definition::default() };
         let film = film("1;4s;1fps;angle=0:20,4:24;sway=0:3/0,4:3/360", still);
         let Frame { definition, framed, .. } = film.frame_at(1.0);
-        assert_eq!((definition.angle, definition.sway), (21.0, [3.0, 90.0]));
-        assert_eq!(framed, Some(Definition { sway: [0.0; 2], ..definition }));
+        assert_eq!((definition.angle, definition.wind), (21.0, [3.0, 90.0]));
+        assert_eq!(framed, Some(Definition { wind: [0.0; 2], ..definition }));
     }
 
     #[test]

@@ -50,8 +50,7 @@ pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
 pub use palette::{IndexedFrame, Palette, PaletteMaker, palette_samples};
 pub use preset::{
-    Preset, dive, dive_in_space, dive_to, grow, middle_segment, sway, sway_strength, turntable, turtle,
-    vantage_of_segment,
+    Preset, dive, dive_in_space, dive_to, grow, turntable, turtle, vantage_of_segment, wind, wind_strength,
 };
 pub use script::{Ending, Script};
 pub use subject::Subject;

@@ -26,11 +26,9 @@ fn is_same_drawing((a, steps): &Subject, (b, others): &Subject) -> bool {
 /// # Errors
 /// The first error of the definition.
 fn subject(definition: &Definition) -> Result<Option<Subject>, Diagnostic> {
-    let (system, diagnostics) = System::new(definition);
-    match (system, diagnostics.into_iter().find(Diagnostic::is_error)) {
-        (Some(system), _) => Ok(Some((system, definition.iterations))),
-        (None, Some(error)) => Err(error),
-        (None, None) => Ok(None),
+    match System::new(definition) {
+        Ok(system) => Ok(Some((system, definition.iterations))),
+        Err(problems) => problems.first_error().map_or(Ok(None), Err),
     }
 }
 
@@ -296,7 +294,7 @@ mod tests {
             iterations: 600,
             ..Definition::default()
         };
-        let figure = Figure::draw(&System::new(&curve).0.unwrap(), 600, &Limits::default()).unwrap();
+        let figure = Figure::draw(&System::new(&curve).unwrap(), 600, &Limits::default()).unwrap();
         let mut script = Script { seconds: 8.0, rate: 1, size: SIZE, ending: Ending::Once, ..Script::default() };
         let middle = Fixed::units(1).shifted(2 * 600 - 1);
         let track = dive_to(&mut script, &figure, &middle, &Vantage::default()).unwrap();
@@ -395,7 +393,7 @@ mod tests {
     #[test]
     fn parts_of_large_drawings_are_exact() {
         let system = System::new(&Definition { axiom: "F".into(), rules: "F -> FFFF".into(), ..Definition::default() });
-        let system = system.0.unwrap();
+        let system = system.unwrap();
         let count = |n, part| {
             let drawing = Figure::draw(&system, n, &Limits::default()).unwrap();
             first_part(drawing.segment_count(), part)

@@ -2,14 +2,15 @@
 
 use crate::Script;
 use color_quant::NeuQuant;
+use lsystem_base::sorted;
 use std::collections::HashMap;
 
 /// The most colours of a palette. A GIF has one more, for pixels that stay.
-const MOST: usize = 255;
+const MAX: usize = 255;
 /// In a film with more colours, the most frequent ones that are kept as they are, so that flat areas stay exact.
 const KEPT: usize = 64;
 /// The most colours that are counted. The next ones are near to these.
-const MOST_COUNTED: usize = 1 << 16;
+const MAX_COUNTED: usize = 1 << 16;
 /// The network looks at each of its samples, the best quality.
 const SAMPLING: i32 = 1;
 /// Entries of the cache of nearest colours, a power of two.
@@ -44,7 +45,7 @@ impl PaletteMaker {
     /// Counts the colours of a frame: RGBA, 8 bits each.
     pub fn add(&mut self, pixels: &[u8]) {
         for_runs(pixels, |colour, count| {
-            let is_full = self.counts.len() >= MOST_COUNTED;
+            let is_full = self.counts.len() >= MAX_COUNTED;
             match self.counts.get_mut(&colour) {
                 Some(sum) => *sum += count,
                 None if is_full => {}
@@ -59,8 +60,8 @@ impl PaletteMaker {
     #[must_use]
     pub fn finish(self) -> Palette {
         let mut counts: Vec<(Rgb, u64)> = self.counts.into_iter().collect();
-        counts.sort_unstable_by_key(|&(colour, count)| (core::cmp::Reverse(count), colour));
-        if counts.len() <= MOST {
+        sorted::sort_by_key(&mut counts, |&(colour, count)| (core::cmp::Reverse(count), colour));
+        if counts.len() <= MAX {
             return Palette::new(counts.into_iter().map(|(colour, _)| colour).collect());
         }
         let mut colours: Vec<Rgb> = counts[..KEPT].iter().map(|&(colour, _)| colour).collect();
@@ -69,7 +70,7 @@ impl PaletteMaker {
         let samples =
             counts[KEPT..].iter().flat_map(|&([r, g, b], count)| core::iter::repeat_n([r, g, b, 255], weight(count)));
         let samples: Vec<u8> = samples.flatten().collect();
-        let network = NeuQuant::new(SAMPLING, MOST - KEPT, &samples);
+        let network = NeuQuant::new(SAMPLING, MAX - KEPT, &samples);
         colours.extend(network.color_map_rgb().as_chunks::<3>().0);
         Palette::new(colours)
     }
@@ -78,7 +79,7 @@ impl PaletteMaker {
 /// The colours of a film.
 #[derive(Clone, Debug)]
 pub struct Palette {
-    /// At most [`MOST`] colours, each once.
+    /// At most [`MAX`] colours, each once.
     colours: Vec<Rgb>,
     places: HashMap<Rgb, u8>,
 }
@@ -95,7 +96,7 @@ pub struct IndexedFrame {
 impl Palette {
     fn new(colours: Vec<Rgb>) -> Self {
         let mut palette = Self { colours: Vec::new(), places: HashMap::new() };
-        for colour in colours.into_iter().take(MOST) {
+        for colour in colours.into_iter().take(MAX) {
             let place = palette.colours.len() as u8;
             if let std::collections::hash_map::Entry::Vacant(entry) = palette.places.entry(colour) {
                 entry.insert(place);
@@ -142,7 +143,7 @@ impl Palette {
         // Most frames with too many colours have them in their first rows.
         for part in pixels.chunks(1 << 16) {
             maker.add(part);
-            if maker.counts.len() > MOST {
+            if maker.counts.len() > MAX {
                 return None;
             }
         }
@@ -211,7 +212,7 @@ mod tests {
         let mut maker = PaletteMaker::default();
         maker.add(&pixels(frame.iter().copied()));
         let palette = maker.finish();
-        assert!(palette.colours().len() <= MOST);
+        assert!(palette.colours().len() <= MAX);
         let sheet = palette.index(&pixels(frame.iter().copied()));
         let near = |(a, b): (&Rgb, &Rgb)| (0..3).map(|i| u32::from(a[i].abs_diff(b[i]))).sum::<u32>();
         let found = shown(&palette, &sheet);

@@ -11,12 +11,14 @@ use std::sync::Arc;
 const END: f64 = 0.9;
 /// The part of the time before a dive begins, so that the whole drawing can be seen.
 const REST: f64 = 0.05;
+/// The farthest place of a view.
+const MAX_PLACE: f64 = 1e6;
 /// The part of the picture that the segment at the end of a dive takes.
 const SHARE: f64 = 0.25;
 /// The largest zoom of a view in the plane, and in space, as in links.
 const MAX_ZOOM: [f64; 2] = [1e25, 1e4];
 /// The strength of a sway where the definition has none, in degrees: a light wind. The page's wind has the same
-/// (`www/js/wind.js`).
+/// (`www/js/motion/wind.js`).
 const LIGHT_WIND: f64 = 3.0;
 
 /// A usual film. Each takes the place of the others, so that each shows what it is.
@@ -28,8 +30,8 @@ pub enum Preset {
     Turtle,
     /// [`turntable`] from this camera.
     Turntable(Camera),
-    /// [`sway`] with this strength, in degrees.
-    Sway(f64),
+    /// [`wind`] with this strength, in degrees.
+    Wind(f64),
     /// [`dive`] to this view.
     Dive(View),
     /// [`dive_in_space`] to this camera.
@@ -44,7 +46,7 @@ impl Preset {
             Self::Growth(n) => grow(script, *n),
             Self::Turtle => turtle(script),
             Self::Turntable(camera) => turntable(script, camera),
-            Self::Sway(strength) => sway(script, *strength),
+            Self::Wind(strength) => wind(script, *strength),
             Self::Dive(view) => dive(script, *view),
             Self::DiveInSpace(camera) => dive_in_space(script, camera),
         }
@@ -87,7 +89,7 @@ impl Script {
     fn clear_presets(&mut self) {
         let is_preset = |subject: &Subject| {
             matches!(subject, Subject::Generation | Subject::Drawn | Subject::View | Subject::Camera)
-                || subject.is_sway()
+                || subject.is_wind()
         };
         self.tracks.retain(|track| !is_preset(&track.subject));
         (self.segment, self.fixed) = (None, false);
@@ -116,15 +118,15 @@ pub fn turntable(script: &Script, camera: &Camera) -> Track {
 
 /// The sway of branches in the wind: one wave, so that the film is a loop.
 #[must_use]
-pub fn sway(script: &Script, strength: f64) -> Track {
+pub fn wind(script: &Script, strength: f64) -> Track {
     let keys = [(0.0, vec![strength, 0.0]), (1.0, vec![strength, 360.0])];
-    track(script, Subject::sway(), &keys, script.easing)
+    track(script, Subject::wind(), &keys, script.easing)
 }
 
 /// The strength of a sway, in degrees: that of the definition, or of a light wind.
 #[must_use]
-pub fn sway_strength(definition: &Definition) -> f64 {
-    let [own, _] = definition.sway;
+pub fn wind_strength(definition: &Definition) -> f64 {
+    let [own, _] = definition.wind;
     if own == 0.0 { LIGHT_WIND } else { own }
 }
 
@@ -179,7 +181,7 @@ pub fn dive_in_space(script: &Script, to: &Camera) -> Track {
 /// The number (0-based) of the segment in the middle of a drawing, where a dive leads if nothing else is wanted: of two in
 /// the middle, the first one.
 #[must_use]
-pub fn middle_segment(segments: u128) -> u128 {
+pub(crate) fn middle_segment(segments: u128) -> u128 {
     segments.saturating_sub(1) / 2
 }
 
@@ -190,6 +192,10 @@ pub fn vantage_of_segment(figure: &Figure, number: u128, from: &Vantage) -> Opti
     let [start, end] = fitted_ends(figure, number)?;
     let along: Vec<f64> = start.iter().zip(&end).map(|(start, end)| end - start).collect();
     let middle: Vec<f64> = start.iter().zip(&along).map(|(start, along)| start + along / 2.0).collect();
+    // Beside an extent beyond all numbers, a segment may have no place that views reach.
+    if !middle.iter().all(|place| place.abs() <= MAX_PLACE) {
+        return None;
+    }
     match (&along[..], &middle[..]) {
         (&[across, up, fine_across, fine_up], &[x, y, fine_x, fine_y]) => {
             let zoom = zoom_to(libm::hypot(across + fine_across, up + fine_up), MAX_ZOOM[0]);
@@ -242,7 +248,7 @@ mod tests {
         let script: Script = "1;10s;angle=0:20,10:30;n=0:0,9:7;camera=0:0".parse().unwrap();
         let text = script.clone().with_preset(&Preset::Turtle).to_string();
         assert_eq!(text, "1;10s;25fps;1280x720;repeat;angle=0:20,10:30;drawn=0:0,9:1");
-        let windy = script.clone().with_preset(&Preset::Sway(3.0)).to_string();
+        let windy = script.clone().with_preset(&Preset::Wind(3.0)).to_string();
         assert_eq!(windy, "1;10s;25fps;1280x720;repeat;angle=0:20,10:30;sway=0:3/0,10:3/360");
         assert_eq!(windy.parse::<Script>().unwrap().with_preset(&Preset::Turtle).to_string(), text);
         let growth = Script::default().with_preset(&Preset::Growth(7));
@@ -255,7 +261,7 @@ mod tests {
     fn dives_reach_segments_and_views_about_them() {
         let curve =
             Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-        let figure = Figure::draw(&System::new(&curve).0.unwrap(), 600, &Limits::default()).unwrap();
+        let figure = Figure::draw(&System::new(&curve).unwrap(), 600, &Limits::default()).unwrap();
         let usual: Script = "1;10s;fixed;n=0:0,9:7".parse().unwrap();
         let from = Vantage::default();
         let middle = usual.clone().with_dive(&figure, None, None, &from).unwrap();
@@ -279,7 +285,7 @@ mod tests {
     fn a_segment_fills_its_share() {
         let curve =
             Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-        let figure = Figure::draw(&System::new(&curve).0.unwrap(), 30, &Limits::default()).unwrap();
+        let figure = Figure::draw(&System::new(&curve).unwrap(), 30, &Limits::default()).unwrap();
         let from = Vantage::default();
         let Vantage { view, .. } = vantage_of_segment(&figure, figure.segment_count() / 3, &from).unwrap();
         // A segment is a 3^30th of the width.

@@ -3,7 +3,6 @@
 use core::fmt;
 use lsystem_base::MAX_ITERATIONS;
 use lsystem_base::{counted, say};
-use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 
 /// The number that a track changes.
@@ -27,7 +26,7 @@ pub enum Subject {
 /// The longest name of a constant, in bytes.
 const LONGEST_NAME: usize = 100;
 /// The name of the field of a sway.
-const SWAY: &str = "sway";
+const WIND: &str = "sway";
 /// The prefix of constants in scripts.
 const CONSTANT: &str = "rules.";
 /// The most degrees of an azimuth: 100 turns.
@@ -74,13 +73,13 @@ impl Subject {
     }
 
     /// The strength and the phase of a sway.
-    pub(crate) fn sway() -> Self {
-        FIELDS.iter().find(|spec| spec.name == SWAY).map_or(Self::Drawn, Self::Field)
+    pub(crate) fn wind() -> Self {
+        FIELDS.iter().find(|spec| spec.name == WIND).map_or(Self::Drawn, Self::Field)
     }
 
     /// Whether this is the sway.
-    pub(crate) fn is_sway(&self) -> bool {
-        matches!(self, Self::Field(spec) if spec.name == SWAY)
+    pub(crate) fn is_wind(&self) -> bool {
+        matches!(self, Self::Field(spec) if spec.name == WIND)
     }
 
     /// The names of all subjects but constants, in the order of the page's list.
@@ -143,7 +142,7 @@ impl Subject {
 
     /// The range in words.
     pub(crate) fn range_words(&self, at: usize) -> String {
-        expected_words(self.range(at))
+        self.range(at).words()
     }
 
     /// Whether the numbers of a key are whole, so that numbers between two keys are rounded down.

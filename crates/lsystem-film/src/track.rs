@@ -55,11 +55,6 @@ pub(crate) fn mix(from: f64, to: f64, part: f64) -> f64 {
     from * (1.0 - part) + to * part
 }
 
-/// A zoom between two zooms: equal parts of the time magnify by equal factors.
-pub(crate) fn mix_zoom(from: f64, to: f64, part: f64) -> f64 {
-    if from == to { from } else { from * libm::pow(to / from, part) }
-}
-
 /// The view of a key.
 pub(crate) fn view_of(value: &[f64]) -> View {
     let number = |at: usize, usual: f64| value.get(at).copied().unwrap_or(usual);
@@ -69,7 +64,7 @@ pub(crate) fn view_of(value: &[f64]) -> View {
 /// Between two cameras, with as many numbers as both have.
 fn camera_between(from: &[f64], to: &[f64], part: f64) -> Vec<f64> {
     const ZOOM: usize = 2;
-    let between = |(at, (&from, &to))| if at == ZOOM { mix_zoom(from, to, part) } else { mix(from, to, part) };
+    let between = |(at, (&from, &to))| if at == ZOOM { view::mix_zoom(from, to, part) } else { mix(from, to, part) };
     from.iter().zip(to).enumerate().map(between).collect()
 }
 

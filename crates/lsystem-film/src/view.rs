@@ -1,9 +1,9 @@
 //! Views between two views.
 
-use crate::track::mix_zoom;
 use lsystem_render::View;
 
-/// Below this zoom the rounding remainders are far less than a pixel and are dropped, as on the page (`www/js/view.js`).
+/// Below this zoom the rounding remainders are far less than a pixel and are dropped, as on the page
+/// (`www/js/view/view.js`).
 const COARSE: f64 = 1e6;
 
 /// The numbers of the view between two views, at `part` from 0 to 1: a zoom about the point that both views share, or a
@@ -32,6 +32,11 @@ fn sum(high: f64, low: f64, value: f64) -> [f64; 2] {
     let rest = whole - high;
     let fine = low + (high - (whole - rest) + (value - rest));
     [whole + fine, fine - (whole + fine - whole)]
+}
+
+/// A zoom between two zooms: equal parts of the time magnify by equal factors.
+pub(crate) fn mix_zoom(from: f64, to: f64, part: f64) -> f64 {
+    if from == to { from } else { from * libm::pow(to / from, part) }
 }
 
 #[cfg(test)]

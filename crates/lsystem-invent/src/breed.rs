@@ -3,38 +3,45 @@
 mod cross;
 mod mutate;
 
-use crate::Shape;
+use crate::Moments;
 use crate::dice::Dice;
 use crate::judge::{LIMITS, SEGMENTS, frame, lines, overlap};
 use cross::cross;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Definition, print_axiom, print_rules};
 
 /// How many children are made and refused for each one that is kept.
 const PATIENCE: usize = 24;
+/// The most units of work for each child.
+const WORK: u64 = 1 << 22;
+/// The units of work that stand for reading one byte of a system.
+const READING_WORK: u64 = 8;
 /// The fewest lines of a child's drawing.
 const LEAST: usize = 8;
 /// The least shorter side of a child's drawing, as a part of the longer one.
 const NARROWEST: f64 = 0.12;
 /// The most of a child's lines that lie upon others.
-const MOST_OVERLAP: f64 = 0.7;
+const MAX_OVERLAP: f64 = 0.7;
 
-/// `count` children of the parents with this seed, fewer if nearly all have nothing to show. All children of one seed
-/// look different from each other and from their parents. Parents with errors have no children.
+/// `count` children of the parents with this seed, fewer if nearly all have nothing to show or take too long to draw. All
+/// children of one seed look different from each other and from their parents. Parents with errors have no children.
 #[must_use]
 pub fn breed(parents: &[Definition], seed: u32, count: usize) -> Vec<Definition> {
     let systems: Vec<(&Definition, System)> =
-        parents.iter().filter_map(|parent| Some((parent, System::new(parent).0?))).collect();
-    let mut seen: Vec<Shape> =
-        systems.iter().filter_map(|(parent, system)| Some(shape(system, parent.iterations)?.0)).collect();
+        parents.iter().filter_map(|parent| Some((parent, System::new(parent).ok()?))).collect();
+    let mut meter = Meter::new(WORK.saturating_mul(count as u64));
+    let mut seen: Vec<Moments> = (systems.iter())
+        .filter_map(|(parent, system)| Some(shape(system, parent.iterations, &mut meter)?.shape))
+        .collect();
     let mut children = vec![];
     let mut dice = Dice::new(0x62_7265_6564 ^ u64::from(seed) << 8);
     for _ in 0..count * PATIENCE {
-        if children.len() == count || systems.is_empty() {
+        if children.len() == count || systems.is_empty() || meter.is_spent() {
             break;
         }
         let mut child = conceive(&mut dice, &systems);
-        let Some(shape) = grown(&mut child) else { continue };
+        let Some(shape) = grown(&mut child, &mut meter) else { continue };
         if !seen.iter().any(|other| other.is_like(&shape)) {
             seen.push(shape);
             children.push(child);
@@ -69,27 +76,48 @@ fn conceive(dice: &mut Dice, parents: &[(&Definition, System)]) -> Definition {
 }
 
 /// The shape of a child that has something to show. Lowers its number of iterations until it can be drawn.
-fn grown(child: &mut Definition) -> Option<Shape> {
-    let system = System::new(child).0?;
-    let (shape, lines) = shape(&system, child.iterations)?;
+fn grown(child: &mut Definition, meter: &mut Meter) -> Option<Moments> {
+    meter.charge(READING_WORK * (child.axiom.len() + child.rules.len()) as u64);
+    let system = System::new(child).ok()?;
+    let Seen { shape, lines, n } = shape(&system, child.iterations, meter)?;
     let (_, [width, height]) = frame(&lines);
     let is_strip = width.min(height) < NARROWEST * width.max(height);
-    if is_strip || !system.is_solid() && overlap(&lines, width.max(height)) > MOST_OVERLAP {
+    if is_strip || !system.is_solid() && overlap(&lines, width.max(height)) > MAX_OVERLAP {
         return None;
     }
-    while Figure::draw(&system, child.iterations, &LIMITS).is_err() {
-        child.iterations = child.iterations.checked_sub(1)?;
+    // Between a generation that can be drawn and one that perhaps cannot.
+    let (mut low, mut high) = (n, child.iterations.saturating_add(1));
+    while low + 1 < high {
+        let n = if high > child.iterations { child.iterations } else { low.midpoint(high) };
+        *(if draw(&system, n, meter).is_some() { &mut low } else { &mut high }) = n;
     }
+    child.iterations = low;
     Some(shape)
 }
 
-/// The shape and the lines of the largest drawing with few enough segments, at generation `n` or before.
-fn shape(system: &System, n: u32) -> Option<(Shape, Vec<[[f64; 2]; 2]>)> {
-    let figure = (0..=n.min(14)).rev().find_map(|n| {
-        let figure = Figure::draw(system, n, &LIMITS).ok()?;
-        (figure.segment_count().saturating_add(figure.polygon_count()) <= SEGMENTS).then_some(figure)
+/// A drawing as it is compared with others.
+struct Seen {
+    shape: Moments,
+    lines: Vec<[[f64; 2]; 2]>,
+    /// Its generation.
+    n: u32,
+}
+
+/// The largest drawing with few enough segments, at generation `n` or before.
+fn shape(system: &System, n: u32, meter: &mut Meter) -> Option<Seen> {
+    let (n, figure) = (0..=n.min(14)).rev().find_map(|n| {
+        let figure = draw(system, n, meter)?;
+        (figure.segment_count().saturating_add(figure.polygon_count()) <= SEGMENTS).then_some((n, figure))
     })?;
     let lines = lines(&figure);
-    let shape = Shape::of(&lines);
-    (lines.len() >= LEAST && shape.spread.is_finite() && shape.tail.is_finite()).then_some((shape, lines))
+    let shape = Moments::of(&lines);
+    (lines.len() >= LEAST && shape.spread.is_finite() && shape.tail.is_finite()).then_some(Seen { shape, lines, n })
+}
+
+/// A drawing within the limits and within the work that is left.
+fn draw(system: &System, n: u32, meter: &mut Meter) -> Option<Figure> {
+    let mut drawer = Figure::drawer(system, n, LIMITS);
+    let progress = drawer.step(meter.left());
+    meter.charge(drawer.spent().max(1));
+    if progress == Progress::More { None } else { drawer.finish().ok() }
 }

@@ -1,6 +1,7 @@
 //! What a drawing is worth: measured on its segments, seen from the front.
 
-use crate::{Family, Shape};
+use crate::{Family, Moments};
+use lsystem_base::sorted;
 use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::Definition;
@@ -20,7 +21,7 @@ const LINE_WORK: u64 = 4;
 
 /// Why a system is not worth keeping.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Refusal {
+pub enum Rejection {
     /// The system has an error, or its drawing passes a limit.
     Fails,
     /// There is nothing, or nearly nothing, to see.
@@ -41,7 +42,7 @@ pub enum Refusal {
     Known,
 }
 
-/// What was measured on a drawing.
+/// Measurements of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Merit {
     /// Segments and polygons.
@@ -67,20 +68,20 @@ pub struct Merit {
 ///
 /// # Errors
 /// Why nobody would keep it.
-pub fn judge(definition: &mut Definition, family: Family) -> Result<Merit, Refusal> {
+pub fn judge(definition: &mut Definition, family: Family) -> Result<Merit, Rejection> {
     judge_counted(definition, family, &mut 0)
 }
 
 /// As [`judge`]; adds the units of work that the drawings took.
-pub(crate) fn judge_counted(definition: &mut Definition, family: Family, work: &mut u64) -> Result<Merit, Refusal> {
-    let (Some(system), _) = System::new(definition) else { return Err(Refusal::Fails) };
-    // What is drawn symbol by symbol takes longer.
+pub(crate) fn judge_counted(definition: &mut Definition, family: Family, work: &mut u64) -> Result<Merit, Rejection> {
+    let Ok(system) = System::new(definition) else { return Err(Rejection::Fails) };
+    // Drawings made symbol by symbol take longer.
     let most = if matches!(family, Family::Chance | Family::Tree) { SEGMENTS / 2 } else { SEGMENTS };
     let mut draw = |n: u32| {
         let mut drawer = Figure::drawer(&system, n, LIMITS);
         let progress = drawer.step(DRAWING_WORK);
         *work = work.saturating_add(drawer.spent());
-        if progress == Progress::More { Err(Refusal::Fails) } else { drawer.finish().map_err(|_| Refusal::Fails) }
+        if progress == Progress::More { Err(Rejection::Fails) } else { drawer.finish().map_err(|_| Rejection::Fails) }
     };
     let figure = if family == Family::Head {
         draw(definition.iterations)?
@@ -95,7 +96,7 @@ pub(crate) fn judge_counted(definition: &mut Definition, family: Family, work: &
 }
 
 /// The largest drawing with few enough segments, and its number of iterations.
-fn largest(mut draw: impl FnMut(u32) -> Result<Figure, Refusal>, most: u128) -> Result<(Figure, u32), Refusal> {
+fn largest(mut draw: impl FnMut(u32) -> Result<Figure, Rejection>, most: u128) -> Result<(Figure, u32), Rejection> {
     let many = |figure: &Figure| figure.segment_count().saturating_add(figure.polygon_count());
     let mut best = None;
     let mut former = 0;
@@ -106,15 +107,15 @@ fn largest(mut draw: impl FnMut(u32) -> Result<Figure, Refusal>, most: u128) -> 
             break;
         }
         if n > 4 && 4 * count < 5 * former {
-            return Err(Refusal::Growth);
+            return Err(Rejection::Growth);
         }
         former = count;
         best = Some((figure, n));
     }
     match best {
         Some((figure, n)) if n >= 3 => Ok((figure, n)),
-        Some(_) => Err(Refusal::Growth),
-        None => Err(Refusal::Fails),
+        Some(_) => Err(Rejection::Growth),
+        None => Err(Rejection::Fails),
     }
 }
 
@@ -135,27 +136,27 @@ pub fn lines(figure: &Figure) -> Vec<[[f64; 2]; 2]> {
     lines
 }
 
-fn merit(figure: &Figure, lines: &[[[f64; 2]; 2]], family: Family) -> Result<Merit, Refusal> {
+fn merit(figure: &Figure, lines: &[[[f64; 2]; 2]], family: Family) -> Result<Merit, Rejection> {
     let segments = figure.segment_count().saturating_add(figure.polygon_count());
     if segments < 60 || lines.is_empty() {
-        return Err(Refusal::Empty);
+        return Err(Rejection::Empty);
     }
-    if !figure.is_solid() && Shape::of(lines).is_in_gallery() {
-        return Err(Refusal::Known);
+    if !figure.is_solid() && Moments::of(lines).is_in_gallery() {
+        return Err(Rejection::Known);
     }
     let (low, size) = frame(lines);
     let longest = size[0].max(size[1]);
     if !longest.is_finite() || longest <= 0.0 {
-        return Err(Refusal::Empty);
+        return Err(Rejection::Empty);
     }
     let proportion = size[0].min(size[1]) / longest;
     if proportion < 0.3 {
-        return Err(Refusal::Strip);
+        return Err(Rejection::Strip);
     }
     let grid = Grid::of(lines, low, size, longest);
     let overlap = if figure.is_solid() { 0.0 } else { overlap(lines, longest) };
     if overlap > if family.grows() { 0.45 } else { 0.06 } {
-        return Err(Refusal::Overlap);
+        return Err(Rejection::Overlap);
     }
     let (coverage, dimension) = (grid.coverage(), grid.dimension());
     let (lean, symmetry) = (grid.lean(), grid.symmetry());
@@ -164,15 +165,15 @@ fn merit(figure: &Figure, lines: &[[[f64; 2]; 2]], family: Family) -> Result<Mer
         _ => 0.1,
     };
     if coverage < least || dimension < 1.12 {
-        return Err(Refusal::Line);
+        return Err(Rejection::Line);
     }
     if coverage > 0.8 || grid.is_even() {
-        return Err(Refusal::Surface);
+        return Err(Rejection::Surface);
     }
     let foot = lines.first().map_or(0.0, |line| (line[0][1] - low[1]) / longest);
     let aside = lines.first().map_or(0.0, |line| ((line[0][0] - low[0]) / size[0] - 0.5).abs());
     if family.grows() && (foot > 0.12 || aside > 0.32 || proportion < 0.4) || lean > 0.2 {
-        return Err(Refusal::Balance);
+        return Err(Rejection::Balance);
     }
     let near = |value: f64, best: f64, width: f64| libm::exp(-((value - best) / width) * ((value - best) / width));
     let score = near(coverage, if family.grows() { 0.3 } else { 0.4 }, 0.25)
@@ -206,7 +207,7 @@ pub(crate) fn overlap(lines: &[[[f64; 2]; 2]], longest: f64) -> f64 {
         (a.min(b), a.max(b))
     };
     let mut keys: Vec<_> = lines.iter().map(key).collect();
-    keys.sort_unstable();
+    sorted::sort(&mut keys);
     keys.dedup();
     1.0 - keys.len() as f64 / lines.len() as f64
 }

@@ -13,13 +13,13 @@ mod breed;
 mod dice;
 mod family;
 mod judge;
+mod moments;
 mod palette;
-mod shape;
 mod surprise;
 mod title;
 
 pub use breed::breed;
 pub use family::Family;
-pub use judge::{LIMITS, Merit, Refusal, SEGMENTS, judge, lines};
-pub use shape::Shape;
+pub use judge::{LIMITS, Merit, Rejection, SEGMENTS, judge, lines};
+pub use moments::Moments;
 pub use surprise::{surprise, trial};

@@ -2,7 +2,7 @@
 
 use crate::Family;
 use crate::dice::Dice;
-use crate::judge::{Merit, Refusal, judge_counted};
+use crate::judge::{Merit, Rejection, judge_counted};
 use lsystem_syntax::Definition;
 
 /// Families, as often as they are chosen. Heads are much alike.
@@ -15,7 +15,7 @@ const CHOICE: usize = 4;
 /// Units of work after which one that has passed will do: some hundred milliseconds in a browser.
 const WORK: u64 = 600_000;
 /// The most systems that are made for a surprise.
-const MOST: usize = 100;
+const MAX: usize = 100;
 
 /// The surprise with this seed: always the same system.
 #[must_use]
@@ -27,7 +27,7 @@ pub fn surprise(seed: u32) -> (Definition, Merit) {
 fn surprise_counted(seed: u32, work: &mut u64) -> (Definition, Merit) {
     let family = Dice::new(u64::from(seed)).one(FAMILIES);
     let mut passed: Vec<(Definition, Merit)> = vec![];
-    for turn in 0..MOST {
+    for turn in 0..MAX {
         // Hardly any plant is refused.
         let family = if *work < WORK { family } else { Family::Plant };
         if let Ok(made) = trial_counted(family, seed, turn as u32, work) {
@@ -48,12 +48,12 @@ fn surprise_counted(seed: u32, work: &mut u64) -> (Definition, Merit) {
 ///
 /// # Errors
 /// Why nobody would keep it.
-pub fn trial(family: Family, seed: u32, turn: u32) -> Result<(Definition, Merit), Refusal> {
+pub fn trial(family: Family, seed: u32, turn: u32) -> Result<(Definition, Merit), Rejection> {
     trial_counted(family, seed, turn, &mut 0)
 }
 
 /// As [`trial`]; adds the units of work that its drawings took.
-fn trial_counted(family: Family, seed: u32, turn: u32, work: &mut u64) -> Result<(Definition, Merit), Refusal> {
+fn trial_counted(family: Family, seed: u32, turn: u32, work: &mut u64) -> Result<(Definition, Merit), Rejection> {
     let mut dice = Dice::new(u64::from(seed) << 32 | u64::from(turn) << 3 | family as u64);
     let mut made = family.make(&mut dice);
     let merit = judge_counted(&mut made, family, work)?;

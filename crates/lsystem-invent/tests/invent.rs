@@ -2,16 +2,15 @@
 
 use lsystem_drawing::{Figure, System};
 use lsystem_files::read_json;
-use lsystem_invent::{Family, LIMITS, Refusal, Shape, breed, judge, lines, surprise, trial};
+use lsystem_invent::{Family, LIMITS, Moments, Rejection, breed, judge, lines, surprise, trial};
 use lsystem_syntax::Definition;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
 fn figure(definition: &Definition) -> Figure {
-    let (system, diagnostics) = System::new(definition);
-    let system = system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"));
-    assert!(diagnostics.is_empty(), "{definition:?}: {diagnostics:?}");
+    let system = System::new(definition).unwrap_or_else(|diagnostics| panic!("{definition:?}: {diagnostics:?}"));
+    assert_eq!(system.warnings, [], "{definition:?}");
     Figure::draw(&system, definition.iterations, &LIMITS).unwrap()
 }
 
@@ -45,12 +44,12 @@ fn a_seed_makes_one_system() {
 #[test]
 fn every_family_is_kept_and_refused() {
     for family in Family::ALL {
-        let mut counts: BTreeMap<Option<Refusal>, u32> = BTreeMap::new();
+        let mut counts: BTreeMap<Option<Rejection>, u32> = BTreeMap::new();
         for turn in 0..40 {
             *counts.entry(trial(family, 1, turn).err()).or_default() += 1;
         }
         assert!(counts.get(&None).is_some_and(|kept| *kept >= 3), "{family:?}: {counts:?}");
-        assert!(!counts.contains_key(&Some(Refusal::Fails)), "{family:?}: {counts:?}");
+        assert!(!counts.contains_key(&Some(Rejection::Fails)), "{family:?}: {counts:?}");
     }
 }
 
@@ -64,13 +63,13 @@ fn poor_systems_are_refused() {
         ..Definition::default()
     };
     for (axiom, rules, angle, family, refusal) in [
-        ("X", "X -> XX", 60.0, Family::Curve, Refusal::Empty),
-        ("F", "F -> FF", 60.0, Family::Curve, Refusal::Strip),
-        ("F", "F -> F+", 60.0, Family::Curve, Refusal::Growth),
-        ("F", "F -> F+F+F", 120.0, Family::Curve, Refusal::Overlap),
-        ("F", "F -> F+F--F+F", 60.0, Family::Curve, Refusal::Known),
-        ("X", "X -> F[+X]F+X\nF -> FF", 25.0, Family::Plant, Refusal::Balance),
-        ("F", "F -> F(1", 60.0, Family::Curve, Refusal::Fails),
+        ("X", "X -> XX", 60.0, Family::Curve, Rejection::Empty),
+        ("F", "F -> FF", 60.0, Family::Curve, Rejection::Strip),
+        ("F", "F -> F+", 60.0, Family::Curve, Rejection::Growth),
+        ("F", "F -> F+F+F", 120.0, Family::Curve, Rejection::Overlap),
+        ("F", "F -> F+F--F+F", 60.0, Family::Curve, Rejection::Known),
+        ("X", "X -> F[+X]F+X\nF -> FF", 25.0, Family::Plant, Rejection::Balance),
+        ("F", "F -> F(1", 60.0, Family::Curve, Rejection::Fails),
     ] {
         assert_eq!(judge(&mut plain(axiom, rules, angle), family).err(), Some(refusal), "{axiom} {rules}");
     }
@@ -85,7 +84,7 @@ fn children_differ_from_each_other_and_from_their_parents() {
         assert_eq!(children, breed(parents, 3, 9));
         assert_ne!(children, breed(parents, 4, 9));
         for (at, child) in children.iter().enumerate() {
-            let system = System::new(child).0.unwrap();
+            let system = System::new(child).unwrap();
             assert!(Figure::draw(&system, child.iterations, &LIMITS).is_ok());
             assert!(!children[..at].contains(child) && !parents.contains(child));
         }
@@ -100,7 +99,7 @@ fn a_shape_stays_when_a_drawing_is_turned_and_scaled() {
     let of = |axiom: &str, step: f64| {
         let rules = "F -> F+F--F+F".into();
         let made = Definition { axiom: axiom.into(), rules, angle: 60.0, iterations: 4, step, ..Definition::default() };
-        Shape::of(&lines(&figure(&made)))
+        Moments::of(&lines(&figure(&made)))
     };
     assert!(of("F", 1.0).is_like(&of("++F", 7.5)));
     assert!(!of("F", 1.0).is_like(&of("F++F", 1.0)));

@@ -1,12 +1,12 @@
 //! The facts about a drawing's blocks that decide how they are plotted.
 
 use crate::page::{Point, distance};
-use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Shape, StyleChange};
+use lsystem_drawing::{BlockFeatures, BlockFrame, BlockId, Directions, Drawing, Item, Line, StyleChange};
 use lsystem_syntax::{Halt, Work};
 
 /// The facts about all blocks.
 pub(crate) struct BlockFacts {
-    shapes: Vec<Shape>,
+    shapes: Vec<BlockFeatures>,
     ways: Vec<Way>,
 }
 
@@ -25,10 +25,10 @@ impl BlockFacts {
     /// Finds the facts about all blocks.
     pub(crate) fn new(drawing: &Drawing, work: &mut dyn Work) -> Result<Self, Halt> {
         let mut directions = Directions::default();
-        let (mut shapes, mut ways): (Vec<Shape>, Vec<Way>) = (vec![], vec![]);
+        let (mut shapes, mut ways): (Vec<BlockFeatures>, Vec<Way>) = (vec![], vec![]);
         for block in &drawing.blocks {
-            work.charge(1 + Shape::work(block, drawing))?;
-            let shape = Shape::new(block, &shapes, drawing, &mut directions);
+            work.charge(1 + BlockFeatures::work(block, drawing))?;
+            let shape = BlockFeatures::new(block, &shapes, drawing, &mut directions);
             let diameter = if shape.straight.is_some() { f64::INFINITY } else { shape.longest.length() };
             let mut way = Way { ends: None, ink: 0.0, finest: diameter };
             let home = BlockFrame::new(1.0, StyleChange::NONE);

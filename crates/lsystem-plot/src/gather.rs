@@ -14,7 +14,7 @@ use crate::spots::Spots;
 use lsystem_base::LimitName;
 use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Placed, Polygon, StyleChange, Widths};
 use lsystem_syntax::style::gradient_step;
-use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Tint, Work};
+use lsystem_syntax::{ColourSource, Diagnostic, Halt, Style, Tint, Work};
 use std::collections::{HashMap, HashSet};
 
 /// The distance up to which two placements of a block are the same, in millimetres: far above rounding errors and far
@@ -155,7 +155,7 @@ impl<'a> Gather<'a> {
         let (pen, diameter) = (self.options.pen, facts.diameter(placed.block) * scale);
         let passed = self.passed;
         let pass = [block.segments, block.polygons];
-        let is_plain = self.style.colour_by != ColourBy::Path || self.has_one_step(pass);
+        let is_plain = self.style.colour_by.source().is_shared() || self.has_one_step(pass);
         let one_stroke = facts.straight(placed.block).copied().filter(|_| is_plain);
         if let Some(line) = one_stroke {
             self.line(&line, &frame, work)?;
@@ -198,9 +198,11 @@ impl<'a> Gather<'a> {
         let widths = frame.style.widths();
         let widest = widths.widest(self.drawing.blocks[block.0 as usize].widest) * self.page.step;
         let is_broad = self.options.hatch && widest > self.options.pen;
-        let (colour, level) = match self.style.colour_by {
-            ColourBy::Path => (gradient_step(self.place(self.passed)) as i32, 0),
-            _ => frame.style.seen(self.style),
+        let (colour, level) = match self.style.colour_by.source() {
+            ColourSource::Along => (gradient_step(self.place(self.passed)) as i32, 0),
+            ColourSource::Constant | ColourSource::Index | ColourSource::Level | ColourSource::Ink => {
+                frame.style.seen(self.style)
+            }
         };
         let widths = if is_broad { widths } else { Widths::new(0.0) };
         let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), widths.key(), colour, level);
@@ -249,10 +251,7 @@ impl<'a> Gather<'a> {
 
     /// The layer of a stroke in this style, after the marks passed so far.
     fn layer(&mut self, change: &StyleChange) -> u32 {
-        let place = match self.style.colour_by {
-            ColourBy::Path => self.place(self.passed),
-            _ => 0.0,
-        };
+        let place = if self.style.colour_by.source().is_shared() { 0.0 } else { self.place(self.passed) };
         let rgb = self.style.colour_of(Tint { index: change.colour.of(0), level: change.level, place }).rgb;
         self.pens.layer(rgb)
     }

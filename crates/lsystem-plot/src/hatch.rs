@@ -2,6 +2,7 @@
 
 use crate::page::{Point, distance};
 use core::f64::consts::FRAC_1_SQRT_2;
+use lsystem_base::sorted;
 use lsystem_syntax::{Halt, Work};
 
 /// The lines of a stroke with these widths at its ends, at most `most`: along its axis, joined end to end in turns.
@@ -52,7 +53,7 @@ pub(crate) fn crossings(
             }
         }
     }
-    crossings.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    sorted::sort_by(&mut crossings, |a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     Ok(Some(crossings))
 }
 

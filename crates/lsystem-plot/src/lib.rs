@@ -14,7 +14,7 @@
 //! use std::sync::Arc;
 //!
 //! let square = Definition { axiom: "F+F+F+F".into(), angle: 90.0, ..Definition::default() };
-//! let system = System::new(&square).0.expect("no diagnostic is an error");
+//! let system = System::new(&square).expect("the system has no errors");
 //! let drawing = Arc::new(draw(&system, 0, &Limits::default()).unwrap());
 //! let (style, sheet, options) = (Style::default(), Sheet::default(), PlotOptions::default());
 //! let plot = Plot::new(drawing, &style, &sheet, options, 1_000, &mut Meter::new(1 << 20)).unwrap();

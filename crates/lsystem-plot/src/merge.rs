@@ -4,6 +4,7 @@
 
 use crate::cells::Cells;
 use crate::page::{Point, distance};
+use lsystem_base::sorted;
 use lsystem_syntax::{Halt, Work};
 
 /// Points nearer than a tenth of this are one point, in millimetres; a plotter's step is at least ten times as long.
@@ -85,7 +86,9 @@ impl Merge {
     pub(crate) fn finish(self, work: &mut dyn Work) -> Result<(Vec<Piece>, f64), Halt> {
         let Self { centre, numbers, lines, mut ends } = self;
         drop(numbers);
-        ends.sort_unstable_by(|a, b| a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts)));
+        sorted::sort_by(&mut ends, |a, b| {
+            a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts))
+        });
         let (mut pieces, mut length) = (vec![], 0.0);
         // The last end of a piece, and the number of strokes there.
         let mut last = End { line: u32::MAX, at: 0.0, starts: 0 };

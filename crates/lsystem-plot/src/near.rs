@@ -5,6 +5,7 @@
 
 use crate::page::Point;
 use lsystem_base::Meter;
+use lsystem_base::sorted;
 use lsystem_syntax::{Halt, Work};
 
 /// The points of a box at the bottom of the tree.
@@ -39,7 +40,7 @@ fn sort(points: &mut [(Point, u32)], [first, end]: [usize; 2], leaves: usize) {
     let [low, middle, high] = [first, first.midpoint(end), end].map(|leaf| start(leaf, leaves, count));
     let own = &mut points[low..high];
     if end - first == 1 {
-        own.sort_unstable_by_key(|&(_, number)| number);
+        sorted::sort_by_key(own, |&(_, number)| number);
         return;
     }
     if middle < high {

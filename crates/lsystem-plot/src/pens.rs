@@ -53,7 +53,12 @@ impl Pens {
     /// Adds a stroke.
     pub(crate) fn stroke(&mut self, layer: u32, ends: [Point; 2]) {
         let last = &mut self.last[layer as usize];
-        self.travel += distance(*last, ends[0]);
+        let travel = distance(*last, ends[0]);
+        // Numbers beyond all range have no place.
+        if !(travel + distance(ends[0], ends[1])).is_finite() {
+            return;
+        }
+        self.travel += travel;
         *last = ends[1];
         // After many iterations, the strokes between blocks are points.
         if distance(ends[0], ends[1]) > LEAST {

@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn pictures_of_any_screen_stay_within_their_share() {
         let definition = Definition { axiom: "F".into(), rules: "F -> F+F".into(), ..Definition::default() };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let drawing = draw::<Plane>(&system, 10, &LIMITS).unwrap();
         for [width, height] in SCREENS {
             let viewport = Viewport { width, height, ratio: 1.0 };
@@ -86,7 +86,7 @@ mod tests {
                         let style = Style { palette, ink, ..Style::default() };
                         let most = |viewport| {
                             let most = |detail| Renderer::most_bytes(&drawing, &style, viewport, detail);
-                            most(Detail::Fine) + most(Detail::Coarse)
+                            most(Detail::Fine) + most(Detail::Sketch)
                         };
                         let painted = affordable(viewport, bytes, most);
                         println!("{width}x{height} {ink:?} {colours}: {} pixels wide", painted.width);

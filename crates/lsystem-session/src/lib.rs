@@ -1,5 +1,5 @@
 //! The page's worker without a browser. A [`Session`] keeps a system between edits, draws it and paints it on a
-//! [`Surface`], in steps of at most [`STEP`] milliseconds on a [`Clock`], so that newer input soon supersedes older.
+//! [`Screen`], in steps of at most [`STEP`] milliseconds on a [`Clock`], so that newer input soon supersedes older.
 //!
 //! Each change of the definition, the view or the number of shown segments makes the picture in the making obsolete. The
 //! next steps then build the drawing, show a coarse picture if a fine one takes longer than a step, and refine the picture
@@ -13,14 +13,14 @@
 //! ```
 //! use lsystem::render::Pane;
 //! use lsystem::{Definition, View, Viewport};
-//! use lsystem_session::{Session, Surface};
+//! use lsystem_session::{Screen, Session};
 //! use std::convert::Infallible;
 //!
 //! /// Keeps the last picture.
 //! #[derive(Default)]
 //! struct Pixels(Vec<u8>);
 //!
-//! impl Surface for Pixels {
+//! impl Screen for Pixels {
 //!     type Error = Infallible;
 //!     fn put(&mut self, pixels: &[u8], _: Viewport, _: Pane) -> Result<(), Infallible> {
 //!         self.0 = pixels.to_vec();
@@ -59,15 +59,12 @@ mod viewer;
 
 pub use files::{FileRead, read_file};
 pub use mates::{Outcome, PaneStep, SharedPane};
-pub use notation::{ConstantSpan, Notation, Site, notation, site_of};
+pub use notation::{ModulePlace, TextClasses, notation, site_of};
 pub use pace::STEP;
 pub use plain::{ThrownProblems, expand, segments};
 pub use qr::qr_code;
-pub use reading::{
-    AncestryLink, Anchor, Descendants, Direction, Picked, Place, PolygonFacts, Pose, SegmentFacts, StringPage,
-    SymbolFacts,
-};
-pub use report::{Legend, Problem, Report};
+pub use reading::{Anchor, Picked, Place, StringPage, SymbolFacts};
+pub use report::{Problem, Report};
 pub use session::{Session, StepAnswer};
-pub use surface::{Clock, Surface};
-pub use viewer::{Drawn, Only};
+pub use surface::{Clock, Screen};
+pub use viewer::Only;

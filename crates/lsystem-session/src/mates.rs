@@ -4,7 +4,7 @@
 use crate::pace::STEP;
 use crate::session::Session;
 use crate::sharing::Sharing;
-use crate::surface::Surface;
+use crate::surface::Screen;
 use lsystem::Figure;
 use lsystem::render::{Pane, Spent};
 use serde::Serialize;
@@ -47,7 +47,7 @@ pub enum PaneStep {
     Refused,
 }
 
-impl<S: Surface> Session<S> {
+impl<S: Screen> Session<S> {
     /// Sets the number of mates. A mate must have the same definition and view when it is handed a pane.
     pub fn set_mates(&mut self, count: u32) {
         self.mates = count;

@@ -7,7 +7,8 @@ use ts_rs::TS;
 
 /// The texts as class letters ([`lsystem::syntax::Class`]), one for each UTF-16 unit, and the constants.
 #[derive(Debug, Serialize, TS)]
-pub struct Notation {
+#[ts(rename = "Notation")]
+pub struct TextClasses {
     /// The classes of the axiom.
     pub axiom: String,
     /// The classes of the rules.
@@ -35,14 +36,14 @@ pub struct ConstantSpan {
 
 /// The texts and constants of a definition, valid or not.
 #[must_use]
-pub fn notation(definition: &Definition) -> Notation {
+pub fn notation(definition: &Definition) -> TextClasses {
     let classes = classify(definition);
     let Definition { axiom, rules, overrides, .. } = definition;
     let constant = |place: lsystem::syntax::ConstantPlace| {
         let span = utf16_span(rules, place.span);
         ConstantSpan { name: place.name, value: place.value, start: span.start, end: span.end, number: place.is_number }
     };
-    Notation {
+    TextClasses {
         axiom: utf16_letters(axiom, &classes.axiom),
         rules: utf16_letters(rules, &classes.rules),
         overrides: utf16_letters(overrides, &classes.overrides),
@@ -52,7 +53,8 @@ pub fn notation(definition: &Definition) -> Notation {
 
 /// The place of a written module.
 #[derive(Debug, PartialEq, Eq, Serialize, TS)]
-pub struct Site {
+#[ts(rename = "Site")]
+pub struct ModulePlace {
     /// The number of the production (0-based); null for a module of the axiom.
     pub production: Option<usize>,
     /// The symbol that the production replaces; null for a module of the axiom.
@@ -63,12 +65,12 @@ pub struct Site {
 
 /// The module at a UTF-16 offset into a text, [`Field::Axiom`] or [`Field::Rules`]; `None` for other text.
 #[must_use]
-pub fn site_of(definition: &Definition, field: Field, offset: usize) -> Option<Site> {
+pub fn site_of(definition: &Definition, field: Field, offset: usize) -> Option<ModulePlace> {
     let Definition { axiom, rules, .. } = definition;
     let text = if field == Field::Axiom { axiom } else { rules };
     let found = site(axiom, rules, field, byte_offset(text, offset))?;
     let (production, predecessor) = found.production.unzip();
-    Some(Site { production, predecessor, position: found.position })
+    Some(ModulePlace { production, predecessor, position: found.position })
 }
 
 #[cfg(test)]
@@ -91,9 +93,9 @@ mod tests {
     fn modules_are_found_at_utf16_offsets() {
         let definition = definition("// 🌿\nF -> F[+F]G");
         let at = |offset| site_of(&definition, Field::Rules, offset);
-        assert_eq!(at(15), Some(Site { production: Some(0), predecessor: Some('F'), position: 4 }));
+        assert_eq!(at(15), Some(ModulePlace { production: Some(0), predecessor: Some('F'), position: 4 }));
         assert_eq!(at(2), None);
         let axiom = site_of(&definition, Field::Axiom, 1);
-        assert_eq!(axiom, Some(Site { production: None, predecessor: None, position: 1 }));
+        assert_eq!(axiom, Some(ModulePlace { production: None, predecessor: None, position: 1 }));
     }
 }

@@ -44,7 +44,7 @@ const LATE_PICTURES: u8 = 2;
 const FINER: i32 = 3;
 /// If a half-size picture with all detail takes no longer than this, the next picture has full size: four times the pixels
 /// take at most four times as long.
-const WHOLE: f64 = TARGET / 4.0;
+pub(crate) const WHOLE: f64 = TARGET / 4.0;
 /// The quality of the first picture of a drawing whose cost is unknown: ten steps below [`Quality::MOVING`], a 32nd of its
 /// effort.
 const UNKNOWN: Quality = Quality(4);

@@ -35,8 +35,7 @@ pub fn segments(definition: &Definition, n: u32) -> Result<SegmentArrays, Thrown
 }
 
 fn compile(definition: &Definition) -> Result<System, ThrownProblems> {
-    let (system, diagnostics) = System::new(definition);
-    system.ok_or_else(|| failure(definition, &diagnostics))
+    System::new(definition).map_err(|problems| failure(definition, &problems.0))
 }
 
 fn failure(definition: &Definition, diagnostics: &[Diagnostic]) -> ThrownProblems {

@@ -4,9 +4,9 @@
 use crate::budget::HISTORY;
 use crate::pace::{STEP, WORK};
 use crate::session::Session;
-use crate::surface::Surface;
+use crate::surface::Screen;
 use core::ops::Range;
-use lsystem::derive::{Ancestor, History, Part, Word};
+use lsystem::derive::{Ancestor, DerivedPart, History, Word};
 use lsystem::drawing::{Around, Origin, Segment, StyleChange};
 use lsystem::render::{
     Closeup, Near, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, seen_from, segment_near,
@@ -164,7 +164,7 @@ pub struct Pose {
     pub level: u32,
 }
 
-impl<S: Surface> Session<S> {
+impl<S: Screen> Session<S> {
     /// Drops the remembered derivation. [`Session::remember`] derives again.
     pub fn forget(&mut self) {
         self.history = None;
@@ -322,7 +322,7 @@ impl<S: Surface> Session<S> {
 
     /// Segment `number`; `None` after the last.
     pub fn segment(&self, number: u128) -> Option<SegmentFacts> {
-        // What is in a close-up is exact only there.
+        // The items of a close-up are exact only there.
         if let Some((closeup, near, _)) = self.closeup()
             && let Some(local) = near.local(number)
         {
@@ -401,7 +401,7 @@ impl<S: Surface> Session<S> {
     }
 
     /// The descendants in generation `later` of the symbol at `index` of `generation`.
-    fn part(&self, generation: u32, index: u128, later: u32) -> Option<Part> {
+    fn part(&self, generation: u32, index: u128, later: u32) -> Option<DerivedPart> {
         match self.reader(later)? {
             GenerationReader::Counted(word) => word.part(generation, index),
             GenerationReader::Remembered(history) => history.part(generation, index, later),
@@ -409,7 +409,7 @@ impl<S: Surface> Session<S> {
     }
 
     /// A part of the shown generation.
-    fn descendants(&self, Part { symbols, segments }: Part) -> Descendants {
+    fn descendants(&self, DerivedPart { symbols, segments }: DerivedPart) -> Descendants {
         let outline = self.shown.as_ref().map_or_else(Vec::new, |figure| fitted_outline(figure, segments.clone()));
         let outline = outline.into_iter().map(|place| self.seen_from_origin(place)).collect();
         Descendants { symbols: ends(symbols), segments: ends(segments), outline }

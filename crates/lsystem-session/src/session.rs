@@ -4,8 +4,8 @@ use crate::budget::{LIMITS, SMALL};
 use crate::counts::Counts;
 use crate::pace::{REFINING, STEP, WORK};
 use crate::report::Report;
-use crate::surface::{Clock, Surface};
-use crate::viewer::{Drawn, PictureSettings, Views};
+use crate::surface::{Clock, Screen};
+use crate::viewer::{CanvasPicture, PictureSettings, Views};
 use lsystem::derive::History;
 use lsystem::drawing::FigureDrawer;
 use lsystem::drawing::Origin;
@@ -22,7 +22,7 @@ pub struct StepAnswer<'a> {
     /// Null if nothing more is known than before.
     pub report: Option<&'a Report>,
     /// Null if the canvas shows the same as before.
-    pub drawn: Option<Drawn>,
+    pub drawn: Option<CanvasPicture>,
     /// Whether nothing is left to do.
     pub idle: bool,
 }
@@ -67,7 +67,7 @@ pub struct Session<S> {
     pub(crate) pane: Option<(Pane, f32)>,
 }
 
-impl<S: Surface> Session<S> {
+impl<S: Screen> Session<S> {
     /// A session that paints `surface`.
     pub fn new(surface: S, clock: Clock) -> Self {
         Self {
@@ -104,9 +104,11 @@ impl<S: Surface> Session<S> {
 
     /// Sets the definition; [`Session::step`] makes the drawing. If the definition has errors, the previous system stays.
     pub fn define(&mut self, definition: Definition) -> Cow<'_, Report> {
-        let (system, diagnostics) = System::new(&definition);
-        let diagnostics = problems(&diagnostics, &definition, "");
-        let Some(system) = system else { return Cow::Owned(Report::wrong(diagnostics)) };
+        let system = match System::new(&definition) {
+            Ok(system) => system,
+            Err(wrong) => return Cow::Owned(Report::wrong(problems(&wrong.0, &definition, ""))),
+        };
+        let diagnostics = problems(&system.warnings, &definition, "");
         let n = definition.iterations;
         let same_drawing = self.definition.iterations == n
             && (self.system.as_ref()).is_some_and(|former| {
@@ -200,7 +202,7 @@ impl<S: Surface> Session<S> {
                 break;
             }
         }
-        let drawn = drawn.map(|drawn| Drawn { pose: self.pose(), ..drawn });
+        let drawn = drawn.map(|drawn| CanvasPicture { pose: self.pose(), ..drawn });
         let report = core::mem::take(&mut self.is_report_new).then_some(&self.report);
         Ok(StepAnswer { report, drawn, idle: self.is_idle() })
     }
@@ -272,7 +274,7 @@ impl<S: Surface> Session<S> {
     }
 
     /// Continues the picture. Returns the picture on the canvas if it is new.
-    fn paint(&mut self) -> Result<Option<Drawn>, S::Error> {
+    fn paint(&mut self) -> Result<Option<CanvasPicture>, S::Error> {
         if self.stale
             && let Some(settings) = self.settings()
         {

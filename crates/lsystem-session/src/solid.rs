@@ -3,8 +3,8 @@
 use crate::budget::{affordable, halved};
 use crate::pace::{Deadline, HURRIED_EFFORT, MOVING_WORK, Pace, WORK, is_long};
 use crate::sharing::{NextAction, Sharing};
-use crate::surface::{Clock, Surface};
-use crate::viewer::{Drawn, Only, PictureSettings, Viewer};
+use crate::surface::{Clock, Screen};
+use crate::viewer::{CanvasPicture, Only, PictureSettings, Viewer};
 use lsystem::render::{Effort, Pane, Pass, Quality, Spent};
 use lsystem::syntax::Ink;
 use lsystem::{Drawing, Progress, Solid, SolidRenderer, Viewport};
@@ -66,7 +66,7 @@ impl Default for SolidView {
     }
 }
 
-impl<S: Surface> Viewer<S> for SolidView {
+impl<S: Screen> Viewer<S> for SolidView {
     fn begin(&mut self, settings: PictureSettings) {
         self.renderer.play(settings.upto);
         self.settings = Some(self.within_room(settings));
@@ -75,7 +75,7 @@ impl<S: Surface> Viewer<S> for SolidView {
     }
 
     /// After a picture is shown, the next finer one begins.
-    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error> {
+    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<CanvasPicture>, S::Error> {
         if self.shared {
             return self.paint_shared(clock, surface);
         }
@@ -113,7 +113,7 @@ impl<S: Surface> Viewer<S> for SolidView {
         if !complete {
             self.refine(if sharp && self.quality >= MIDDLE { Quality::FINEST } else { MIDDLE });
         }
-        Ok(Some(Drawn { complete, scale, moving, slow, only, ..Drawn::default() }))
+        Ok(Some(CanvasPicture { complete, scale, moving, slow, only, ..CanvasPicture::default() }))
     }
 
     fn is_done(&self) -> bool {
@@ -192,7 +192,7 @@ impl SolidView {
     }
 
     /// Continues a picture that is shared with mates.
-    fn paint_shared<S: Surface>(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error> {
+    fn paint_shared<S: Screen>(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<CanvasPicture>, S::Error> {
         let Some(settings) = &self.settings else { return Ok(None) };
         let viewport = self.viewport;
         match self.sharing.next_action(clock()) {
@@ -218,7 +218,7 @@ impl SolidView {
                 (self.done, self.shared) = (true, false);
                 // A picture of a single colour is too quick to be shared, so nothing is the only thing in it.
                 let scale = settings.scale;
-                return Ok(Some(Drawn { complete: true, scale, slow: true, ..Drawn::default() }));
+                return Ok(Some(CanvasPicture { complete: true, scale, slow: true, ..CanvasPicture::default() }));
             }
         }
         Ok(None)

@@ -8,7 +8,7 @@ use lsystem::render::Pane;
 pub type Clock = Box<dyn Fn() -> f64>;
 
 /// A canvas.
-pub trait Surface {
+pub trait Screen {
     /// The reason why the canvas refuses pixels.
     type Error;
 
@@ -22,7 +22,7 @@ pub trait Surface {
     /// Shows a whole picture.
     ///
     /// # Errors
-    /// As [`Surface::put`].
+    /// As [`Screen::put`].
     fn show(&mut self, pixels: &[u8], viewport: Viewport) -> Result<(), Self::Error> {
         self.put(pixels, viewport, Pane::whole(viewport))
     }

@@ -3,7 +3,7 @@
 use crate::plane::PlaneView;
 use crate::reading::Pose;
 use crate::solid::SolidView;
-use crate::surface::{Clock, Surface};
+use crate::surface::{Clock, Screen};
 use lsystem::drawing::Origin;
 use lsystem::render::Closeup;
 use lsystem::{Figure, Style, Vantage, Viewport};
@@ -29,7 +29,8 @@ pub(crate) struct PictureSettings {
 
 /// The picture on the canvas.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
-pub struct Drawn {
+#[ts(rename = "Drawn")]
+pub struct CanvasPicture {
     /// Whether no finer picture follows.
     pub complete: bool,
     /// Device pixels per fitted extent at zoom 1.
@@ -67,12 +68,12 @@ impl Only {
 }
 
 /// Makes the pictures of a drawing in steps.
-pub(crate) trait Viewer<S: Surface> {
+pub(crate) trait Viewer<S: Screen> {
     /// Starts a picture and cancels the picture in the making.
     fn begin(&mut self, settings: PictureSettings);
 
     /// Continues the picture. Returns the picture on the canvas if it is new.
-    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error>;
+    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<CanvasPicture>, S::Error>;
 
     /// Whether the finest picture is on the canvas.
     fn is_done(&self) -> bool;
@@ -115,11 +116,11 @@ impl Views {
         if self.is_solid { None } else { self.plane.closeup() }
     }
 
-    pub(crate) fn get<S: Surface>(&self) -> &dyn Viewer<S> {
+    pub(crate) fn get<S: Screen>(&self) -> &dyn Viewer<S> {
         if self.is_solid { &self.solid } else { &self.plane }
     }
 
-    pub(crate) fn get_mut<S: Surface>(&mut self) -> &mut dyn Viewer<S> {
+    pub(crate) fn get_mut<S: Screen>(&mut self) -> &mut dyn Viewer<S> {
         if self.is_solid { &mut self.solid } else { &mut self.plane }
     }
 }

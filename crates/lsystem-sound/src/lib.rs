@@ -13,7 +13,7 @@
 //!
 //! let rules = "F -> F[+F]F".into();
 //! let twig = Definition { axiom: "F".into(), rules, angle: 30.0, ..Definition::default() };
-//! let system = System::new(&twig).0.expect("no diagnostic is an error");
+//! let system = System::new(&twig).expect("the system has no errors");
 //! let draw = &mut |system: &System, n, _: &mut dyn Work| Figure::draw(system, n, &Limits::default()).map_err(Halt::from);
 //! let tune = listen(&system, 1, &SoundOptions::default(), draw, &mut Meter::new(u64::MAX)).unwrap();
 //! assert_eq!((tune.notes.len(), tune.voices, tune.length), (3, 2, 3.0));

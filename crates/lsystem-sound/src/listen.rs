@@ -13,7 +13,7 @@ type Draw<'a> = dyn FnMut(&System, u32, &mut dyn Work) -> Result<Figure, Halt> +
 /// lines would not join, and the last earlier generation that has few enough lines is heard as a whole.
 ///
 /// # Errors
-/// Those of `draw` for generation `n`; with [`Time::Length`] those for generation 0. If the work is stopped.
+/// The errors of `draw` for generation `n` (with [`Time::Length`]: for generation 0), and [`Halt::Stopped`].
 pub fn listen(
     system: &System,
     n: u32,

@@ -31,7 +31,7 @@ pub fn marked(system: &System) -> System {
     for (letter, actions) in (0..).zip(&mut turtle.actions) {
         let mut marked = Vec::with_capacity(actions.len());
         for &action in &*actions {
-            marked.push(if is_look(action) { SILENT } else { action });
+            marked.push(if action.is_look() { SILENT } else { action });
             let mark = match action {
                 Action::Push => Some(BRANCH),
                 _ if action.segments() > 0 => Some(LETTERS + letter),
@@ -60,8 +60,3 @@ pub(crate) fn drawing_letters(system: &System) -> Vec<usize> {
 
 /// The action in place of one that is not heard: it does nothing to a drawing, also with a module's number.
 const SILENT: Action = Action::Cut;
-
-/// Whether the action changes only colours and widths.
-const fn is_look(action: Action) -> bool {
-    matches!(action, Action::SetColour(_) | Action::AddColour(_) | Action::SetWidth(_) | Action::ScaleWidth(_))
-}

@@ -6,7 +6,7 @@ use lsystem_syntax::{CIRCLE_SIDES, TUBE_STROKES};
 use std::collections::VecDeque;
 
 /// The most lines of one action.
-const MOST_OF_A_LETTER: usize = if CIRCLE_SIDES > TUBE_STROKES { CIRCLE_SIDES } else { TUBE_STROKES } as usize;
+const MAX_OF_A_LETTER: usize = if CIRCLE_SIDES > TUBE_STROKES { CIRCLE_SIDES } else { TUBE_STROKES } as usize;
 
 /// A line of the drawing, or the beginning of a branch.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +29,7 @@ pub(crate) fn lines<S: Space>(marks: impl Iterator<Item = Mark<S>>) -> impl Iter
                     let ends = [segment.from, segment.to].map(in_space::<S>);
                     open.push(Line { ends, level: tint.level, letter: Some(0) });
                     // So many lines have lost their mark.
-                    if open.len() > MOST_OF_A_LETTER {
+                    if open.len() > MAX_OF_A_LETTER {
                         ready.extend(open.drain(..));
                     }
                 }

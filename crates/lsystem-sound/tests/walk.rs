@@ -13,8 +13,7 @@ fn heard(definition: &Definition, options: &SoundOptions) -> Tune {
 }
 
 fn system(definition: &Definition) -> System {
-    let (system, diagnostics) = System::new(definition);
-    system.unwrap_or_else(|| panic!("{diagnostics:?}"))
+    System::new(definition).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"))
 }
 
 /// A line as a turtle draws it: its ends, letter, branch level, branch (the number of its `[`; 0 for the stem), and its

@@ -13,9 +13,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         heading: 65.0,
         ..Definition::default()
     };
-    let (system, diagnostics) = System::new(&plant);
-    diagnostics.iter().for_each(|diagnostic| eprint!("{}", render_diagnostic(diagnostic, "plant", &plant.rules)));
-    let system = system.ok_or("the rules have errors")?;
+    let system = System::new(&plant)?;
+    system.warnings.iter().for_each(|warning| eprint!("{}", render_diagnostic(warning, "plant", &plant.rules)));
     let told = |limit| render_diagnostic(&limit, "plant", "");
 
     println!("n = 2: {}", expand(&system, 2, &Limits::default()).map_err(told)?);

@@ -23,7 +23,7 @@
 //! use std::sync::Arc;
 //!
 //! let curve = Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-//! let system = System::new(&curve).0.expect("no diagnostic is an error");
+//! let system = System::new(&curve).expect("the system has no errors");
 //! let few = draw(&system, 4, &Limits::default()).unwrap();
 //! let svg = write_svg(&few, &Style::default(), &SvgOptions::default()).unwrap();
 //! assert!(svg.text.starts_with("<svg"));
@@ -55,6 +55,7 @@ pub use lsystem_invent as invent;
 pub use lsystem_plot as plot;
 pub use lsystem_render as render;
 pub use lsystem_sound as sound;
+pub use lsystem_svg as svg;
 pub use lsystem_syntax as syntax;
 
 // The most used items.

@@ -3,7 +3,7 @@
 use crate::naive;
 use crate::naive::Module;
 use crate::naive::systems::{Features, system};
-use lsystem::derive::{Ancestor, History, Part, Word};
+use lsystem::derive::{Ancestor, DerivedPart, History, Word};
 use lsystem::drawing::symbol_of_polygon;
 use lsystem::render::fitted_polygon;
 use lsystem::{Definition, Figure, Limits, Plane, Progress, Solid, System, draw};
@@ -15,7 +15,7 @@ trait Reader {
     fn symbols(&self, generation: u32) -> Option<u128>;
     fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)>;
     fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor>;
-    fn part(&self, generation: u32, index: u128) -> Option<Part>;
+    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart>;
     fn segments_before(&self, index: u128) -> Option<u128>;
     fn symbol_of_segment(&self, segment: u128) -> Option<u128>;
 }
@@ -42,7 +42,7 @@ impl Reader for Counted<'_> {
     fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
         self.word(generation).ancestry(index)
     }
-    fn part(&self, generation: u32, index: u128) -> Option<Part> {
+    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
         self.word(self.1).part(generation, index)
     }
     fn segments_before(&self, index: u128) -> Option<u128> {
@@ -69,7 +69,7 @@ impl Reader for Remembered {
     fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
         self.0.ancestry(generation, index)
     }
-    fn part(&self, generation: u32, index: u128) -> Option<Part> {
+    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
         self.0.part(generation, index, self.1)
     }
     fn segments_before(&self, index: u128) -> Option<u128> {
@@ -223,8 +223,7 @@ proptest! {
         let overrides = if drawn { "" } else { "@: length times 0.8\n~: swap turns" }.into();
         let definition = Definition {
             axiom: format!("F{axiom}"), rules, angle: 25.7, right_angle: Some(31.0), overrides, ..Definition::default() };
-        let (system, problems) = System::new(&definition);
-        let system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
+        let system = System::new(&definition).unwrap_or_else(|problems| panic!("{definition:?}: {problems:?}"));
         prop_assume!((0..=n).all(|n| naive::modules(&system.grammar, 0, n).is_some_and(|word| word.len() < 900)));
         let expected = naive::solid_polygons(&system, n);
         // A polygon whose area is only a rounding error may be missing.
@@ -338,7 +337,7 @@ fn leaves_of_modules_with_parameters_are_shared() {
 
 fn read(axiom: &str, rules: &str) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 25.0, ..Definition::default() };
-    System::new(&definition).0.unwrap()
+    System::new(&definition).unwrap()
 }
 
 #[test]

@@ -33,7 +33,7 @@ mod seed;
 mod solid;
 mod styling;
 mod surfaces;
-mod sway;
 mod tables;
 mod tubes;
 mod unusual;
+mod wind;

@@ -6,11 +6,11 @@
 //!
 //! ```text
 //! F = FF
-//!   ^ error EqualsForArrow: For a rule write `F -> FF`.
+//!   ^ error `=` gives a constant its value, and `FF` is not a number. For a rule write `F -> FF`. [->]
 //! ```
 //!
 //! Carets mark the characters, `|` a place where text is missing, `@` a diagnostic without a place. Then follow
-//! severity, kind and hint. `UPDATE_EXPECT=1 cargo test -p lsystem-playground --test annotated` updates the files; check the
+//! severity, message, hint, and in brackets what the button writes there. `UPDATE_EXPECT=1 cargo test -p lsystem-playground --test annotated` updates the files; check the
 //! difference.
 
 use expect_test::expect_file;
@@ -68,8 +68,9 @@ fn annotate(body: &str) -> (String, usize) {
     } else if sections.len() > 1 {
         let own = |name: &str| text(name).unwrap_or_default().to_owned();
         let (axiom, rules, overrides) = (own("axiom"), own("rules"), own("overrides"));
-        let (system, diagnostics) = System::new(&Definition { axiom, rules, overrides, ..Definition::default() });
-        assert_eq!(system.is_none(), diagnostics.iter().any(Diagnostic::is_error));
+        let definition = Definition { axiom, rules, overrides, ..Definition::default() };
+        let diagnostics = System::problems(&definition);
+        assert_eq!(System::new(&definition).is_err(), diagnostics.iter().any(Diagnostic::is_error));
         diagnostics
     } else {
         parse("F", text("").unwrap()).1
@@ -109,15 +110,14 @@ fn annotate(body: &str) -> (String, usize) {
 }
 
 fn said(diagnostic: &Diagnostic) -> String {
-    let severity = match diagnostic.severity() {
+    let severity = match diagnostic.severity {
         Severity::Error => "error",
         Severity::Warning => "warning",
     };
-    let kind = format!("{:?}", diagnostic.kind);
-    let kind = kind.split(" {").next().unwrap();
-    match diagnostic.hint() {
-        Some(hint) => format!("{severity} {kind}: {hint}"),
-        None => format!("{severity} {kind}"),
+    let fix = diagnostic.fix.as_ref().map_or_else(String::new, |fix| format!(" [{fix}]"));
+    match &diagnostic.hint {
+        Some(hint) => format!("{severity} {}. {hint}{fix}", diagnostic.message),
+        None => format!("{severity} {}{fix}", diagnostic.message),
     }
 }
 

@@ -85,7 +85,7 @@ fn depths(word: &str) -> Vec<u32> {
 fn the_flux_and_the_apices_are_those_of_a_direct_simulation() {
     let path = format!("{}/../../data_in/garden/tabebuia.json", env!("CARGO_MANIFEST_DIR"));
     let definition: Definition = read_file(&std::fs::read(path).unwrap()).definition.unwrap();
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let [first, growth, ..] = NUMBERS;
     let mut tree = Internode::new();
     let mut cycles = 0;

@@ -15,9 +15,7 @@ fn plant(n: u32) -> Definition {
 }
 
 fn drawing(definition: &Definition) -> Drawing {
-    let (system, diagnostics) = System::new(definition);
-    draw::<Plane>(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default())
-        .unwrap()
+    draw::<Plane>(&System::new(definition).unwrap(), definition.iterations, &Limits::default()).unwrap()
 }
 
 fn compact(definition: &Definition, size: f64) -> Svg {
@@ -272,7 +270,7 @@ fn copies_are_counted() {
     let svg = compact(&bush, 1024.0);
     let warning = svg.warning().unwrap();
     assert!(svg.instances > 100_000 && !warning.is_error());
-    assert_eq!(warning.kind, Kind::Instances { count: svg.instances });
+    assert!(warning.message.starts_with("This file may open slowly ("), "{warning:?}");
 }
 
 #[test]

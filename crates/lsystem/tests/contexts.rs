@@ -72,7 +72,7 @@ fn matches(rules: &str, word: &str) -> (Vec<bool>, Vec<bool>) {
     let plain = naive::modules(&grammar, 0, 1).unwrap().iter().map(|module| module.symbol == '✓').collect();
     let definition =
         lsystem::Definition { axiom: word.to_owned(), rules: rules.to_owned(), ..lsystem::Definition::default() };
-    let rules = System::new(&definition).0.unwrap().rules;
+    let rules = System::new(&definition).unwrap().rules;
     let mut rewriter = Rewriter::new(rules, 0, Limits::default()).unwrap();
     // Small steps, so that steps end at every module.
     while !rewriter.step(1).unwrap() {}

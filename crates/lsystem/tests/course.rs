@@ -11,8 +11,7 @@ fn check(name: &str, expected: &Expect) {
     let (definition, diagnostics) = read_json(&text);
     let definition = definition.unwrap_or_else(|| panic!("{name}: {diagnostics:?}"));
     assert_eq!((definition.dialect, &definition.style), (Dialect::EveryLetter, &Style::course()), "{name}");
-    let (system, doubts) = System::new(&definition);
-    assert!(system.is_some() && doubts.is_empty(), "{name}: {doubts:?}");
+    assert_eq!(System::problems(&definition), [], "{name}");
     let Definition { name: title, axiom, rules, iterations, angle, .. } = definition;
     let said: String = diagnostics.iter().map(|d| render_diagnostic(d, name, &text)).collect();
     expected.assert_eq(&format!("{title:?}: {axiom}, {angle} degrees, {iterations} iterations\n{rules}\n{said}"));

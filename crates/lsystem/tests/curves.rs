@@ -7,7 +7,7 @@ use lsystem::{System, expand};
 
 fn told(rules: &str) -> Vec<String> {
     let definition = Definition { axiom: "A(1)".into(), rules: rules.into(), ..Definition::default() };
-    System::new(&definition).1.iter().map(lsystem::Diagnostic::message).collect()
+    System::problems(&definition).iter().map(|problem| problem.message.clone()).collect()
 }
 
 #[test]
@@ -16,7 +16,7 @@ fn a_curve_is_a_function_in_arguments_conditions_weights_and_constants() {
     let rules = "curve half = (0, 0) (10, 5)\nr = half(4) + 1\n\
         A(x) : half(x) < 2.5 -> F(half(x))A(x + half(2))\nA(x) : half(x) >= 2.5 -> B(r, half(99), half(-1))";
     let definition = Definition { axiom: "A(2)".into(), rules: rules.into(), ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     assert_eq!(expand(&system, 4, &Limits::default()).unwrap(), "F(1)F(1.5)F(2)B(3,5,0)");
 }
 
@@ -25,7 +25,7 @@ fn derivations_with_curves_are_those_of_the_naive_one() {
     let rules = "curve taper = (0, 1) (0.2, 0.9) (0.5, 0.1) (0.5, 0.8) (1, 0.3)\n\
         A(x, l) : taper(x) > 0.35 -> F(l)[+(30*taper(1 - x))A(x + 0.2, l*taper(x))]A(x + 0.1, l)\nA(x, l) -> F(l) : taper(x)";
     let definition = Definition { axiom: "A(0, 1)".into(), rules: rules.into(), ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     for n in 0..8 {
         let word = naive::modules(&system.grammar, system.seed, n).unwrap();
         let written = |values: &[f64]| values.iter().map(f64::to_string).collect::<Vec<_>>().join(",");

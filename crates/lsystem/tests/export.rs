@@ -12,9 +12,7 @@ use lsystem::{
 use std::path::Path;
 
 fn drawing(definition: &Definition) -> Drawing {
-    let (system, diagnostics) = System::new(definition);
-    draw::<Plane>(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default())
-        .unwrap()
+    draw::<Plane>(&System::new(definition).unwrap(), definition.iterations, &Limits::default()).unwrap()
 }
 
 fn definition(axiom: &str, rules: &str) -> Definition {
@@ -217,7 +215,7 @@ fn files_of_all_systems() {
     for file in files {
         let name = file.path().display().to_string();
         let definition = read_json(&std::fs::read_to_string(file.path()).unwrap()).0.unwrap();
-        let (system, style) = (System::new(&definition).0.unwrap(), &definition.style);
+        let (system, style) = (System::new(&definition).unwrap(), &definition.style);
         let n = definition.iterations.min(4);
         let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {

@@ -26,7 +26,7 @@ fn reach(points: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
 /// As [`reach`], of a frame's drawing. In space the picture has room for the drawing from all sides: the distance to the
 /// side is that from the upright axis.
 fn reach_of(Frame { definition, vantage, .. }: &Frame) -> Option<[f64; 2]> {
-    let figure = Figure::draw(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
+    let figure = Figure::draw(&System::new(definition).ok()?, definition.iterations, &Limits::default()).ok()?;
     let scale = fitted_scale(&figure, VIEWPORT, vantage);
     let ends = (0..figure.segment_count()).filter_map(|number| fitted_ends(&figure, number)).flatten();
     let vertices = (0..figure.polygon_count()).flat_map(|number| fitted_polygon(&figure, number));

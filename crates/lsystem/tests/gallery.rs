@@ -36,9 +36,8 @@ fn files_read_without_a_doubt_and_draw() {
         for words in [&definition.name, &definition.title, &definition.source] {
             assert!(!words.trim().is_empty(), "{what}");
         }
-        let (system, diagnostics) = System::new(&definition);
-        assert_eq!(diagnostics, [], "{what}");
-        let system = system.unwrap_or_else(|| panic!("{what}"));
+        let system = System::new(&definition).unwrap_or_else(|problems| panic!("{what}: {problems:?}"));
+        assert_eq!(system.warnings, [], "{what}");
         let drawing = draw::<Plane>(&system, definition.iterations, &Limits::default());
         let drawing = drawing.unwrap_or_else(|limit| panic!("{what}: {limit:?}"));
         assert_eq!(drawing.bounds().is_none(), DRAWS_NOTHING.contains(&definition.name.as_str()), "{what}");
@@ -64,10 +63,10 @@ fn everything_is_picked_within_a_budget() {
     let pointer = Pointer { at: [640.0, 400.0], tolerance: 6.0, upto: None, visits: 20_000 };
     let near = pointer.tolerance / 4.0;
     let mut filled = 0;
-    for (folder, file, text) in files() {
+    for (folder, file, text) in test_effort::sampled(files(), 4, 0) {
         let what = format!("{folder}/{file}");
         let definition = read_json(&text).0.unwrap();
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         if system.is_solid() {
             let figure = Figure::draw(&system, definition.iterations, &Limits::default()).unwrap();
             for k in 0..20 {
@@ -106,5 +105,5 @@ fn everything_is_picked_within_a_budget() {
             }
         }
     }
-    assert!(filled > 100, "{filled}");
+    assert!(filled > 25, "{filled}");
 }

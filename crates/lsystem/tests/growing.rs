@@ -22,7 +22,7 @@ fn measured(definition: &Definition, time: f64) -> Option<[f64; 7]> {
     // As films and the page do.
     at.iterations = time.ceil() as u32;
     at.growth = 1.0 - (time.ceil() - time);
-    let figure = Figure::draw(&System::new(&at).0?, at.iterations, &Limits::default()).ok()?;
+    let figure = Figure::draw(&System::new(&at).ok()?, at.iterations, &Limits::default()).ok()?;
     if figure.segment_count() > 20_000 {
         return None;
     }
@@ -67,7 +67,7 @@ fn systems_of_the_gallery_with_numbers_grow_without_jumps() {
     for path in files() {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         let definition = read_file(&std::fs::read(&path).unwrap()).definition.unwrap();
-        let Some(system) = System::new(&definition).0 else { continue };
+        let Ok(system) = System::new(&definition) else { continue };
         if system.rules.is_parametric() {
             match check(&name, &definition, 5) {
                 Ok(2..) => checked.push(name),

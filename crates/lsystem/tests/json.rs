@@ -86,7 +86,7 @@ fn definition() -> impl Strategy<Value = Definition> {
             angle_variation: space.3.1,
             length_variation: space.3.2,
             growth: space.3.3,
-            sway: space.4,
+            wind: space.4,
             dialect,
             style,
         })
@@ -151,7 +151,7 @@ fn rules_of_scripts_have_the_forms_of_files() {
 #[test]
 fn wrong_names_and_values_of_scripts_are_told() {
     let said = |text: &str| -> String {
-        let shown = |d: &Diagnostic| format!("{} | {}\n", d.message(), d.hint().unwrap_or_default());
+        let shown = |d: &Diagnostic| format!("{} | {}\n", d.message, d.hint.as_deref().unwrap_or_default());
         read_fields(text).1.iter().map(shown).collect()
     };
     for (key, meant) in [
@@ -293,7 +293,7 @@ fn every_file_of_the_gallery_is_clean() {
         files += 1;
         let text = std::fs::read_to_string(&path).unwrap();
         let (definition, diagnostics) = read_json(&text);
-        let (_, more) = System::new(&definition.unwrap());
+        let more = System::problems(&definition.unwrap());
         let shown: Vec<_> = (diagnostics.iter().chain(&more)).map(|d| render_diagnostic(d, "", &text)).collect();
         assert_eq!(shown, Vec::<String>::new(), "{}", path.display());
     }

@@ -12,7 +12,7 @@ fn mesh(axiom: &str, n: u32, most: u64) -> Result<Mesh, lsystem::Diagnostic> {
         start: [2.0, -1.0],
         ..Definition::default()
     };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     Mesh::new(&draw::<Solid>(&system, n, &Limits::default()).unwrap(), &system.style, most)
 }
 

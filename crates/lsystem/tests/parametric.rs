@@ -7,8 +7,7 @@ use proptest::prelude::*;
 
 fn system(axiom: &str, rules: &str) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 25.0, ..Definition::default() };
-    let (system, diagnostics) = System::new(&definition);
-    system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"))
+    System::new(&definition).unwrap_or_else(|diagnostics| panic!("{definition:?}: {diagnostics:?}"))
 }
 
 fn drawn(system: &System, n: u32) -> Drawing {

@@ -300,8 +300,7 @@ fn system([axiom, a, b, f]: [String; 4], chance: bool, width: f64, step: f64) ->
         style,
         ..Definition::default()
     };
-    let (system, problems) = System::new(&definition);
-    let mut system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
+    let mut system = System::new(&definition).unwrap_or_else(|problems| panic!("{definition:?}: {problems:?}"));
     system.turtle.step = step;
     system
 }
@@ -402,7 +401,7 @@ fn deep_bushes_are_picked_within_a_budget() {
     let tree = "A -> AF\nF -> F[+F][-FF][\\F][/FF][&F]";
     for (rules, angle, n) in [(bush, 22.5, 40), (tree, 40.0, 30)] {
         let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
-        let figure = Figure::draw(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        let figure = Figure::draw(&System::new(&definition).unwrap(), n, &Limits::default()).unwrap();
         assert!(figure.is_solid());
         let large = Viewport { width: 1000, height: 800, ratio: 1.0 };
         let mut missed = 0;

@@ -23,13 +23,13 @@ fn crowd() -> Definition {
 }
 
 fn drawing(definition: &Definition, n: u32) -> Arc<Drawing> {
-    Arc::new(draw::<Plane>(&System::new(definition).0.unwrap(), n, &Limits::default()).unwrap())
+    Arc::new(draw::<Plane>(&System::new(definition).unwrap(), n, &Limits::default()).unwrap())
 }
 
 fn solid() -> (Style, Arc<Drawing<Solid>>) {
     let rules = "A -> F[&FA]/[&FA]".into();
     let definition = Definition { axiom: "A".into(), rules, angle: 40.0, ..Definition::default() };
-    let drawing = draw::<Solid>(&System::new(&definition).0.unwrap(), 7, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&System::new(&definition).unwrap(), 7, &Limits::default()).unwrap();
     (definition.style, Arc::new(drawing))
 }
 

@@ -9,8 +9,7 @@ use std::sync::Arc;
 
 fn system(axiom: &str, rules: &str) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle: 22.5, ..Definition::default() };
-    let (system, diagnostics) = System::new(&definition);
-    system.unwrap_or_else(|| panic!("{diagnostics:?}"))
+    System::new(&definition).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"))
 }
 
 /// ABOP, figure 1.31, after Hogeweg and Hesper: successors for the contexts `0 < 0 > 0` to `1 < 1 > 1`.
@@ -140,7 +139,7 @@ fn file(name: &str) -> (System, u32) {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../data_in/abop/{name}.json"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let definition = lsystem::read_json(&text).0.unwrap();
-    (System::new(&definition).0.unwrap(), definition.iterations)
+    (System::new(&definition).unwrap(), definition.iterations)
 }
 
 /// ABOP, figures 1.7 and 1.9: the number of segments that replace one, and islands that close.

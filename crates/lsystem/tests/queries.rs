@@ -9,8 +9,7 @@ fn definition(axiom: &str, rules: &str, angle: f64) -> Definition {
 }
 
 fn system(definition: &Definition) -> System {
-    let (system, diagnostics) = System::new(definition);
-    system.unwrap_or_else(|| panic!("{:?}", diagnostics.iter().map(lsystem::Diagnostic::message).collect::<Vec<_>>()))
+    System::new(definition).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 fn string(definition: &Definition, n: u32) -> String {
@@ -250,7 +249,7 @@ fn histories_and_pages_show_the_answers() {
 #[test]
 fn wrong_shapes_are_told_with_their_places() {
     let told = |rules: &str| -> Vec<String> {
-        System::new(&definition("A", rules, 30.0)).1.iter().map(lsystem::Diagnostic::message).collect()
+        System::problems(&definition("A", rules, 30.0)).iter().map(|problem| problem.message.clone()).collect()
     };
     let use_it = "\nA -> F?P(0,0)A\n?P(x,y) : inside(s, x, y) -> *";
     for (shape, message) in [

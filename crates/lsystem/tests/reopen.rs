@@ -12,7 +12,7 @@ use std::path::Path;
 
 /// A PNG file of one pixel that holds a text in place of a system; none if the text is empty.
 fn pixel(text: &str) -> Vec<u8> {
-    let system = System::new(&Definition::default()).0.unwrap();
+    let system = System::new(&Definition::default()).unwrap();
     let figure = Figure::draw(&system, 0, &Limits::default()).unwrap();
     let viewport = Viewport { width: 1, height: 1, ratio: 1.0 };
     let options = PngOptions { viewport, system: text.into(), ..PngOptions::default() };
@@ -23,7 +23,7 @@ fn pixel(text: &str) -> Vec<u8> {
 fn files(definition: &Definition) -> Vec<Vec<u8>> {
     let json = write_json(definition);
     let mut files = vec![pixel(&json)];
-    if let (Some(system), _) = System::new(definition) {
+    if let Ok(system) = System::new(definition) {
         let drawing = draw::<Plane>(&system, definition.iterations.min(3), &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {
             let options = SvgOptions { title: "<T>".into(), system: json.clone(), form, ..SvgOptions::default() };
@@ -97,7 +97,7 @@ fn a_derived_string_as_an_axiom_is_the_drawing_of_its_system() {
     assert!(derived.len() > 150_000);
     let string = Definition { axiom: derived, rules: String::new(), ..koch.clone() };
     let figure = |definition: &Definition, n| {
-        let system = System::new(definition).0.unwrap();
+        let system = System::new(definition).unwrap();
         let figure = Figure::draw(&system, n, &Limits::PAGE).unwrap();
         (figure.segment_count(), figure.bounds().unwrap().concat())
     };
@@ -111,7 +111,7 @@ fn a_derived_string_as_an_axiom_is_the_drawing_of_its_system() {
 fn what_holds_no_system() {
     let check = |bytes: &[u8], expected: &str| {
         let read = read_file(bytes);
-        let words: Vec<String> = read.diagnostics.iter().map(Diagnostic::message).collect();
+        let words: Vec<String> = read.diagnostics.iter().map(|problem| problem.message.clone()).collect();
         assert_eq!((read.definition, words), (None, vec![expected.to_owned()]));
     };
     check(&pixel(""), "This PNG holds no L-system");

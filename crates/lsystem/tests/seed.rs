@@ -126,8 +126,7 @@ impl Published {
 }
 
 fn system(definition: &Definition) -> System {
-    let (system, diagnostics) = System::new(definition);
-    system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"))
+    System::new(definition).unwrap_or_else(|diagnostics| panic!("{definition:?}: {diagnostics:?}"))
 }
 
 fn text(system: &System, n: u32) -> String {

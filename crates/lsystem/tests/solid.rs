@@ -1,7 +1,7 @@
 //! Drawings in space, compared with the naive turtle, and the meaning of symbols in space.
 
 use crate::naive;
-use crate::naive::systems::sway;
+use crate::naive::systems::wind;
 use lsystem::base::LimitName;
 use lsystem::drawing::{Mark, Outlook, Segment};
 use lsystem::syntax::{Action, Kind};
@@ -9,8 +9,7 @@ use lsystem::{Definition, Dialect, Drawing, Limits, Plane, Solid, System, draw};
 use proptest::prelude::*;
 
 fn system(definition: &Definition) -> System {
-    let (system, diagnostics) = System::new(definition);
-    system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"))
+    System::new(definition).unwrap_or_else(|diagnostics| panic!("{definition:?}: {diagnostics:?}"))
 }
 
 fn abop(axiom: &str, rules: &str, angle: f64) -> Definition {
@@ -81,8 +80,8 @@ fn random() -> impl Strategy<Value = (Definition, u32)> {
         1 => Just(([0.0, 1.0, 0.0], 0.22)),
     ];
     let words = prop_oneof![Just(false), Just(true)].prop_flat_map(|upright| prop::array::uniform4(word(upright)));
-    (words, angles, (tropism, sway()), 0..5_u32, prop::bool::ANY, any::<u32>()).prop_map(
-        |([axiom, a, b, f], (angle, others), ((tropism, elasticity), sway), n, chance, seed)| {
+    (words, angles, (tropism, wind()), 0..5_u32, prop::bool::ANY, any::<u32>()).prop_map(
+        |([axiom, a, b, f], (angle, others), ((tropism, elasticity), wind), n, chance, seed)| {
             let rules = if chance {
                 format!("A -> {a} : 1\nA -> {b} : 2\nF -> {f}F")
             } else {
@@ -97,7 +96,7 @@ fn random() -> impl Strategy<Value = (Definition, u32)> {
                 roll_right,
                 tropism,
                 elasticity,
-                sway,
+                wind,
                 heading: angle + 7.0,
                 start: [3.0, -2.0],
                 step: 0.7,
@@ -126,22 +125,22 @@ proptest! {
     }
 
     #[test]
-    fn modules_with_numbers_too(a in 5.0..60.0, b in -90.0..90.0, d in 0.0..360.0, e in prop_oneof![Just(0.0), 0.0..0.3], sway in sway()) {
+    fn modules_with_numbers_too(a in 5.0..60.0, b in -90.0..90.0, d in 0.0..360.0, e in prop_oneof![Just(0.0), 0.0..0.3], wind in wind()) {
         let rules = format!("a = {a}\nb = {b}\nd = {d}\nA(l,w) -> !(w)F(l)[&(a)B(l*0.9,w*0.7)]/(d)A(l*0.8,w*0.7)\n\
             B(l,w) -> !(w)F(l)[-(b)$C(l*0.6,w*0.7)]\\(d)C(l*0.9,w*0.7)\nC(l,w) -> !(w)F(l)[+(b)^(a)B(l,w)]B(l/2,w*0.7)");
-        let drawing = check(&system(&Definition { elasticity: e, sway, ..abop("A(1,0.1)", &rules, 10.0) }), 6)?;
+        let drawing = check(&system(&Definition { elasticity: e, wind, ..abop("A(1,0.1)", &rules, 10.0) }), 6)?;
         prop_assert_eq!(drawing.is_memoised(), e == 0.0);
     }
 
     #[test]
-    fn what_looks_to_the_vertical_is_shared_rightly(words in prop::array::uniform3(levelled()), heading in 0.0..180.0, sway in sway()) {
+    fn what_looks_to_the_vertical_is_shared_rightly(words in prop::array::uniform3(levelled()), heading in 0.0..180.0, wind in wind()) {
         let numbered = |word: &str| {
             word.replace('F', "F(l)").replace('A', "A(l*0.7)").replace('B', "B(l*0.6)").replace('T', "T(l)")
         };
         let [a, b, t] = words.map(|word| numbered(&word));
         let rules = format!("A(l) -> F(l){a}\nB(l) -> {b}F(l)\nT(l) -> {t}");
         // Some of these systems share blocks. Others have `$` after a turn that is not known, and are unfolded.
-        check(&system(&Definition { heading, sway, ..abop("A(1)&B(1)$F", &rules, 25.0) }), 3)?;
+        check(&system(&Definition { heading, wind, ..abop("A(1)&B(1)$F", &rules, 25.0) }), 3)?;
     }
 
     #[test]

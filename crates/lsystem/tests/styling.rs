@@ -7,8 +7,7 @@ use lsystem::{Definition, Limits, Plane, Solid, Style, System, draw, read_json, 
 use proptest::prelude::*;
 
 fn system(definition: &Definition) -> System {
-    let (system, diagnostics) = System::new(definition);
-    system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"))
+    System::new(definition).unwrap_or_else(|diagnostics| panic!("{definition:?}: {diagnostics:?}"))
 }
 
 fn abop(axiom: &str, rules: &str, angle: f64) -> Definition {

@@ -2,7 +2,7 @@
 
 use crate::naive;
 use crate::styling::check;
-use lsystem::syntax::{Kind, parse_surfaces, print_surfaces};
+use lsystem::syntax::{parse_surfaces, print_surfaces};
 use lsystem::{Definition, Limits, Plane, Solid, Style, System, draw, read_json, write_json};
 use proptest::prelude::*;
 
@@ -35,7 +35,7 @@ fn leaves(axiom: &str, rules: &str) -> Definition {
 }
 
 fn system(definition: &Definition) -> System {
-    System::new(definition).0.unwrap_or_else(|| panic!("{definition:?}"))
+    System::new(definition).unwrap_or_else(|_| panic!("{definition:?}"))
 }
 
 fn word() -> impl Strategy<Value = String> {
@@ -82,15 +82,13 @@ fn files_and_links_hold_surfaces() {
 
 #[test]
 fn problems_are_told() {
-    let kinds = |definition: &Definition| -> Vec<Kind> {
-        System::new(definition).1.into_iter().map(|diagnostic| diagnostic.kind).collect()
-    };
     let missing = Definition { surfaces: String::new(), ..leaves("L", "") };
-    assert_eq!(kinds(&missing)[..], [Kind::UnknownSurface { name: 'l' }, Kind::UnknownSurface { name: 'm' }]);
+    let messages: Vec<String> = System::problems(&missing).into_iter().map(|diagnostic| diagnostic.message).collect();
+    assert_eq!(messages, ["There is no surface `l`", "There is no surface `m`"]);
     assert_eq!(draw::<Plane>(&system(&missing), 0, &Limits::default()).unwrap().polygon_count(), 0);
     let wrong = Definition { surfaces: "l: 1 2".into(), ..leaves("L", "") };
-    assert!(System::new(&wrong).0.is_none());
-    assert!(System::new(&wrong).1.iter().any(|problem| problem.message().starts_with("Line 1 of the surfaces")));
+    assert!(System::new(&wrong).is_err());
+    assert!(System::problems(&wrong).iter().any(|problem| problem.message.starts_with("Line 1 of the surfaces")));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! The tables of the core in other files must equal the core's: `www/js/tables.js` and `late-tables.js`, the tables of
-//! fields in `README.md` and `docs/links.md`, of choices for plots in `docs/plotting.md`, and of notations in
+//! fields in `docs/files.md` and `docs/links.md`, of choices for plots in `docs/plotting.md`, and of notations in
 //! `docs/imports.md`. Two more are in `tables/`. `cargo xtask tables` updates them.
 
 mod library;
@@ -13,8 +13,7 @@ use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purp
 use lsystem::import::write::{NOTATIONS, Notation};
 use lsystem::plot::SHEETS;
 use lsystem::syntax::fields::Section;
-use lsystem::syntax::message::expected_words;
-use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
+use lsystem::syntax::{ColourBy, Expected, FIELDS, FieldSpec, Value};
 use lsystem::{Definition, Dialect};
 use lsystem_catalogue::Catalogue;
 use std::fmt::Write;
@@ -94,11 +93,9 @@ fn range(expected: Expected) -> String {
         Expected::Word(words) => format!("kind: 'word', words: {}", list(words.iter().copied())),
         Expected::Colour => "kind: 'colour'".into(),
         Expected::Palette => format!("kind: 'colours', maxLength: {}", lsystem::base::MAX_PALETTE),
-        Expected::Each(count, each) => format!(
-            "kind: 'list', count: {count}, each: {{ {}, expected: {} }}",
-            range(*each),
-            quoted(&expected_words(*each))
-        ),
+        Expected::Each(count, each) => {
+            format!("kind: 'list', count: {count}, each: {{ {}, expected: {} }}", range(*each), quoted(&each.words()))
+        }
         Expected::Record(members) => {
             let members: Vec<_> =
                 members.iter().map(|(name, each)| format!("{name}: {{ {} }}", range(*each))).collect();
@@ -130,6 +127,12 @@ fn tables() -> String {
     for dialect in Dialect::ALL {
         let [label, help] = dialect.words().map(quoted);
         writeln!(script_text, "    {}: {{ label: {label}, help: {help} }},", quoted(dialect.name())).unwrap();
+    }
+    script_text += "});\n\n/** What the colour follows, by its name in files: what it is called, and a note. */\n\
+        export const COLOURINGS = /* @__PURE__ */ Object.freeze({\n";
+    for by in ColourBy::ALL {
+        let [label, help] = by.words().map(quoted);
+        writeln!(script_text, "    {}: {{ label: {label}, help: {help} }},", by.name()).unwrap();
     }
     script_text += "});\n\n/**\n * An L-system as its author wrote it.\n * @typedef {object} Definition\n";
     for spec in FIELDS.iter().filter(|spec| spec.is_defined()) {
@@ -370,8 +373,8 @@ fn the_page_knows_the_languages() {
 
 #[test]
 fn the_documents_tables_are_those_of_the_core() {
-    let readme = include_str!("../../../README.md");
-    expect_file!["../../../README.md"].assert_eq(&with_table(readme, &file_rows()));
+    let files = include_str!("../../../docs/files.md");
+    expect_file!["../../../docs/files.md"].assert_eq(&with_table(files, &file_rows()));
     let links = include_str!("../../../docs/links.md");
     expect_file!["../../../docs/links.md"].assert_eq(&with_table(links, &link_rows()));
     let imports = include_str!("../../../docs/imports.md");

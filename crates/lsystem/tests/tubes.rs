@@ -19,7 +19,7 @@ fn tubes(axiom: &str, rules: &str, angle: f64) -> Definition {
 }
 
 fn system(definition: &Definition) -> System {
-    System::new(definition).0.unwrap_or_else(|| panic!("{definition:?}"))
+    System::new(definition).unwrap_or_else(|_| panic!("{definition:?}"))
 }
 
 fn word() -> impl Strategy<Value = String> {

@@ -177,7 +177,7 @@ fn is_same_set(expected: &[Ends], found: &[Ends], rounding: f64) -> bool {
 }
 
 /// The most segments of one cell that are compared.
-const MOST_IN_CELL: usize = 256;
+const MAX_IN_CELL: usize = 256;
 
 /// Whether each segment of `some` has one in `all` that is at most `near` away.
 fn is_within(some: &[Ends], all: &[Ends], near: f64) -> bool {
@@ -189,7 +189,7 @@ fn is_within(some: &[Ends], all: &[Ends], near: f64) -> bool {
     for segment in all {
         let inside = cells.entry(middle(segment).map(|value| libm::floor(value) as i64)).or_default();
         // Repeats are kept once, so that a cell with many of them stays short.
-        if inside.len() < MOST_IN_CELL && !inside.iter().any(|other| Pair::is_near(other, segment, near / 8.0)) {
+        if inside.len() < MAX_IN_CELL && !inside.iter().any(|other| Pair::is_near(other, segment, near / 8.0)) {
             inside.push(segment);
         }
     }

@@ -12,7 +12,7 @@ const PAGE: usize = 1 << 16;
 /// The number of symbols quoted on each side of a difference.
 const NEAR: usize = 24;
 /// The most units of work for applying rules one after another: symbols read and written.
-const MOST_REPLACED: usize = 1 << 25;
+const MAX_REPLACED: usize = 1 << 25;
 
 pub(super) fn check(system: &System, n: u32, output: &str) -> Check {
     let is_plain = system.rules.is_plain();
@@ -193,7 +193,7 @@ fn one_after_another(system: &System, n: u32, most: usize) -> Option<String> {
         return None;
     }
     let mut text: String = system.grammar.axiom.iter().map(|module| module.symbol).collect();
-    let mut left = MOST_REPLACED;
+    let mut left = MAX_REPLACED;
     for _ in 0..n {
         for production in productions {
             let successor: String = production.successor.iter().map(|module| module.symbol).collect();

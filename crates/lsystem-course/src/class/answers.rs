@@ -2,23 +2,67 @@
 
 use crate::exercise::Exercise;
 use lsystem_base::say;
-use lsystem_files::{Link, read_link};
+use lsystem_files::{Link, read_link, read_link_within};
 use lsystem_syntax::Definition;
 
 /// The most cells of a row that are read.
 const MAX_CELLS: usize = 1000;
+/// The most links of a row: twice as many as a package has exercises.
+const MAX_LINKS: usize = 200;
+/// The most bytes of an answer's link, and of what it unpacks to: more than the longest rules.
+const MAX_LINK: usize = 1 << 16;
+/// The most cells in which the link of an exercise is looked for.
+const MAX_LOOKS: usize = 1000;
+/// The most characters of a name.
+const MAX_NAME: usize = 200;
 
-/// An answer to an exercise.
+/// An answer to an exercise. Of a whole class, only the links are kept, and each is read when it is marked.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// Whose answer it is in the table, or where the answer stands.
     pub name: String,
     /// The name that the link gives, which anybody may write.
     pub by: String,
+    /// The text or file that was handed in.
+    pub given: Handed,
+}
+
+/// The form of an answer that was handed in.
+#[derive(Clone, Debug)]
+pub enum Handed {
+    /// A link.
+    Link(String),
+    /// A system in a file.
+    System(Box<Definition>),
+    /// Nothing that can be marked, and why.
+    Nothing(String),
+}
+
+impl Answer {
     /// The link, if it is one.
-    pub link: Option<String>,
-    /// The answer, or why there is none.
-    pub student: Result<Definition, String>,
+    #[must_use]
+    pub fn link(&self) -> Option<&str> {
+        match &self.given {
+            Handed::Link(link) => Some(link),
+            Handed::System(_) | Handed::Nothing(_) => None,
+        }
+    }
+
+    /// The system of the student in an answer to this exercise, or why there is none.
+    pub(super) fn student(&self, exercise: &str) -> Result<Definition, String> {
+        let link = match &self.given {
+            Handed::Link(text) => read_short(text).unwrap_or_default(),
+            Handed::System(student) => return Ok((**student).clone()),
+            Handed::Nothing(why) => return Err(why.clone()),
+        };
+        match veiled(&link) {
+            Some(other) if other != exercise => Err(say!("an answer to another exercise")),
+            _ => match link.problems.into_iter().next() {
+                Some(problem) if link.definition == Definition::default() => Err(problem.message),
+                _ => Ok(link.definition),
+            },
+        }
+    }
 }
 
 /// The answers to an exercise in a text: links one on each line, or a table with links in its cells. `exercise` is the
@@ -34,7 +78,8 @@ pub fn answers<'a>(text: &'a str, name: &'a str, exercise: &'a str) -> impl Iter
 /// The value of `x` in the first link of an exercise in a text.
 #[must_use]
 pub fn exercise_in(text: &str) -> Option<String> {
-    cells(text).flatten().find_map(|cell| veiled(&read_link(cell.trim())?))
+    let links = cells(text).flatten().filter(|cell| cell.contains('='));
+    links.take(MAX_LOOKS).find_map(|cell| veiled(&read_link(cell.trim())?))
 }
 
 /// The answer in a row of a table: of its links, the one to this exercise, or else the first. Its name is the first cell
@@ -42,35 +87,72 @@ pub fn exercise_in(text: &str) -> Option<String> {
 /// answers here.
 fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
     let key = Exercise::key(exercise);
-    let links = cells.iter().enumerate().flat_map(|(at, cell)| links(cell).map(move |(text, link)| (at, text, link)));
-    let mut links: Vec<_> = links.filter(|(.., link)| link.other("k").is_none_or(|other| other == key)).collect();
-    let is_here = |link: &Link| link.other("k").is_some() || link.other("x") == Some(exercise);
-    let chosen = links.iter().position(|(.., link)| is_here(link)).unwrap_or_default();
-    let (at, text, link) = (chosen < links.len()).then(|| links.swap_remove(chosen))?;
+    let (mut count, mut chosen, mut is_sure) = (0, None, false);
+    for (at, text) in cells.iter().enumerate().flat_map(|(at, cell)| links(cell).map(move |text| (at, text))) {
+        let Some(link) = read_short(&text) else { continue };
+        count += 1;
+        if count > MAX_LINKS {
+            break;
+        }
+        if link.other("k").is_some_and(|other| other != key) {
+            continue;
+        }
+        is_sure = link.other("k").is_some() || link.other("x") == Some(exercise);
+        if is_sure || chosen.is_none() {
+            chosen = Some((at, text, short(link.other("by").unwrap_or_default())));
+        }
+        if is_sure {
+            break;
+        }
+    }
+    let (at, text, by) = chosen?;
     let other = cells.iter().enumerate().find(|(other, cell)| *other != at && !cell.trim().is_empty());
-    let name = other.map_or(name, |(_, cell)| cell.trim()).to_owned();
-    let by = link.other("by").unwrap_or_default().trim().to_owned();
-    let student = match veiled(&link) {
-        Some(other) if other != exercise => Err(say!("an answer to another exercise")),
-        _ => match link.problems.first() {
-            Some(problem) if link.definition == Definition::default() => Err(problem.message.clone()),
-            _ => Ok(link.definition),
-        },
+    let name = other.map_or(name.to_owned(), |(_, cell)| short(cell));
+    let given = match !is_sure && count > MAX_LINKS {
+        true => Handed::Nothing(say!("more than {} links in one row", MAX_LINKS)),
+        false => Handed::Link(text),
     };
-    Some(Answer { name, by, link: Some(text), student })
+    Some(Answer { name, by, given })
 }
 
-/// The links in a cell: one, or the lines of what a package keeps.
-fn links(cell: &str) -> impl Iterator<Item = (String, Link)> {
-    let parts = (0..).zip(cell.trim().split("\n#v=")).map(|(number, part)| match number {
+/// The texts in a cell that may be links: one, or the lines of what a package keeps.
+fn links(cell: &str) -> impl Iterator<Item = String> {
+    (0..).zip(cell.trim().split("\n#v=")).map(|(number, part)| match number {
         0 => part.trim().to_owned(),
         _ => format!("#v={}", part.trim()),
-    });
-    parts.filter_map(|text| Some((text.clone(), read_link(&text)?)))
+    })
+}
+
+/// Reads a link of an answer: no student may take the memory and the time of the others.
+fn read_short(text: &str) -> Option<Link> {
+    read_link_within(text, MAX_LINK, MAX_LINK)
+}
+
+/// The beginning of a name.
+fn short(name: &str) -> String {
+    name.trim().chars().take(MAX_NAME).collect()
 }
 
 fn veiled(link: &Link) -> Option<String> {
     link.other("x").map(str::to_owned)
+}
+
+/// A cell of a table while it is read.
+#[derive(Default)]
+struct Cell {
+    text: String,
+    /// Whether there is more than white space.
+    has_words: bool,
+    /// Whether there is a `#`, with which links begin.
+    has_hash: bool,
+}
+
+impl Cell {
+    fn push(&mut self, c: char) {
+        self.has_words |= !c.is_whitespace();
+        self.has_hash |= c == '#';
+        self.text.push(c);
+    }
 }
 
 /// The cells of a table by rows (RFC 4180), at most [`MAX_CELLS`] in each. Cells are separated by commas, semicolons or
@@ -79,19 +161,19 @@ fn cells(text: &str) -> impl Iterator<Item = Vec<String>> {
     let mut rest = text.trim_start_matches('\u{feff}').chars().peekable();
     core::iter::from_fn(move || {
         rest.peek()?;
-        let (mut row, mut cell, mut quoted) = (Vec::new(), String::new(), false);
-        let end = |row: &mut Vec<String>, cell: &mut String| {
+        let (mut row, mut cell, mut quoted) = (Vec::new(), Cell::default(), false);
+        let end = |row: &mut Vec<String>, cell: &mut Cell| {
             let cell = core::mem::take(cell);
             if row.len() < MAX_CELLS {
-                row.push(cell);
+                row.push(cell.text);
             }
         };
         while let Some(c) = rest.next() {
             match c {
-                '"' if quoted && rest.peek() == Some(&'"') => cell.extend(rest.next()),
-                '"' if quoted || cell.trim().is_empty() => quoted = !quoted,
+                '"' if quoted && rest.next_if_eq(&'"').is_some() => cell.push('"'),
+                '"' if quoted || !cell.has_words => quoted = !quoted,
                 '\n' if !quoted => break,
-                ',' | ';' if !quoted && !cell.contains('#') => end(&mut row, &mut cell),
+                ',' | ';' if !quoted && !cell.has_hash => end(&mut row, &mut cell),
                 '\t' if !quoted => end(&mut row, &mut cell),
                 c => cell.push(c),
             }
@@ -134,9 +216,21 @@ mod tests {
             vec!["Ada".to_owned(), "#v=1&x=def&n=1".to_owned(), "#v=1&x=abc&n=2".to_owned()],
         ] {
             let answer = of_row(&row, "", "abc").unwrap();
-            assert_eq!((answer.name.as_str(), answer.student.unwrap().iterations), ("Ada", 2), "{row:?}");
+            let student = answer.student("abc").unwrap();
+            assert_eq!((answer.name.as_str(), student.iterations), ("Ada", 2), "{row:?}");
         }
         assert!(of_row(&["#v=1&k=00000000&n=1".to_owned()], "", "abc").is_none());
-        assert!(of_row(&["#v=1&x=def&n=1".to_owned()], "", "abc").unwrap().student.is_err());
+        assert!(of_row(&["#v=1&x=def&n=1".to_owned()], "", "abc").unwrap().student("abc").is_err());
+    }
+    #[test]
+    fn the_share_of_an_answer_is_bounded() {
+        let packed = |text: &str| format!("#v=1&z={}", lsystem_files::packed::pack(text.as_bytes()));
+        let why = |cell: String| of_row(&[cell], "", "abc").unwrap().student("abc").unwrap_err();
+        assert!(why(packed(&format!("rules={}", "F".repeat(MAX_LINK)))).contains("larger"));
+        assert!(why(format!("#v=1&axiom={}", "F".repeat(MAX_LINK))).contains("longer"));
+        assert!(why("#v=1&n=2\n".repeat(MAX_LINKS + 1)).contains("more than 200 links"));
+        let long = of_row(&[format!("#v=1&n=2&by={}", "A".repeat(9999))], &"B".repeat(9999), "abc").unwrap();
+        assert_eq!((long.name.len(), long.by.len()), (9999, MAX_NAME));
+        assert_eq!(long.student("abc").unwrap().iterations, 2);
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn csv(marked: &[Marked], has_variants: bool) -> String {
         let solved = if one.is_solved() { "yes" } else { "no" };
         let (percent, symbols, words) = (one.percent(), one.symbols(), one.words());
         let percent = percent.trim_end_matches(" %");
-        let (answer, link) = (&one.answer, one.answer.link.as_deref().unwrap_or_default());
+        let (answer, link) = (&one.answer, one.answer.link().unwrap_or_default());
         let row = [&answer.name, &answer.by, solved, percent, &symbols, &target, &own, &words, link];
         table += &row.map(cell).join(",");
         if has_variants {
@@ -34,17 +34,16 @@ fn cell(text: &str) -> String {
     }
 }
 
-/// Whether a spreadsheet may read a text as a formula, after what it may leave out: quotes, white space and characters
+/// What formulas begin with, also in the full-width forms that some spreadsheets read alike, and the bar of links between
+/// programs.
+const SIGNS: [char; 10] = ['=', '+', '-', '@', '|', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}', '\u{ff5c}'];
+
+/// Whether a spreadsheet may read a text as a formula, after what it may leave out: quotes, white space, signs, and letters
 /// that are not seen.
 fn is_formula(text: &str) -> bool {
-    let is_unseen = |c: char| c.is_whitespace() || c.is_control() || "\u{ad}\u{feff}".contains(c);
-    let is_format = |c: char| ('\u{200b}'..='\u{200f}').contains(&c) || ('\u{202a}'..='\u{2069}').contains(&c);
-    let is_quote = |c: char| "\"'`\u{2018}\u{2019}\u{201c}\u{201d}".contains(c);
-    let begins_a_cell = text.starts_with(['\t', '\r', '\n']);
-    let seen = text.trim_start_matches(|c| is_unseen(c) || is_format(c) || is_quote(c));
-    // With the full-width forms, which some spreadsheets read alike, and the bar of links between programs.
-    begins_a_cell
-        || seen.starts_with(['=', '+', '-', '@', '|', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}', '\u{ff5c}'])
+    let is_sign = |c: char| !(c.is_ascii_graphic() || c.is_alphanumeric() || SIGNS.contains(&c));
+    let seen = text.trim_start_matches(|c| is_sign(c) || "\"'`\u{115f}\u{1160}\u{3164}\u{ffa0}".contains(c));
+    text.starts_with(['\t', '\r', '\n']) || seen.starts_with(SIGNS)
 }
 
 #[cfg(test)]
@@ -70,6 +69,10 @@ mod tests {
             "\"=1",
             "' \"+1",
             "\u{200b}=1",
+            "\u{fe0f}=1",
+            "\u{115f}=1",
+            "\u{2800}+1",
+            "\u{34f}@A",
         ] {
             assert!(cell(text).starts_with("\"'"), "{text:?}: {}", cell(text));
         }

@@ -3,20 +3,21 @@
 mod answers;
 mod csv;
 
-pub use answers::{Answer, answers, exercise_in};
+pub use answers::{Answer, Handed, answers, exercise_in};
 
 use crate::exercise::Exercise;
 use crate::mark::{Grade, Marker};
 use lsystem_base::say;
+use lsystem_base::sorted;
 use lsystem_render::mask::SIDE;
-use lsystem_syntax::{Definition, Diagnostic};
+use lsystem_syntax::Definition;
 use std::collections::HashMap;
 
 /// The side of a small picture, in pixels.
 pub const SMALL: usize = 128;
 
 /// An exercise with the means to mark answers to it.
-pub struct Class {
+pub struct ClassMarker {
     exercise: Exercise,
     veiled: String,
     /// By variant: made with its first answer.
@@ -25,11 +26,16 @@ pub struct Class {
     last: usize,
 }
 
+/// The most characters of an answer's rules that are kept to be shown.
+const SHOWN: usize = 2000;
+
 /// A marked answer.
 #[derive(Clone, Debug)]
 pub struct Marked {
     /// The answer.
     pub answer: Answer,
+    /// The axiom, if it was to be found, and the rules; only the beginning of long ones.
+    pub rules: String,
     /// The number of the student's variant, from 0 for the target itself.
     pub variant: usize,
     /// `None` if there is nothing to mark.
@@ -47,7 +53,7 @@ pub struct Mistake {
     pub answers: Vec<usize>,
 }
 
-impl Class {
+impl ClassMarker {
     /// Opens the exercise in the value of `x` in a link.
     ///
     /// # Errors
@@ -77,14 +83,14 @@ impl Class {
         let student = if answer.by.is_empty() { &answer.name } else { &answer.by };
         let variant = self.exercise.variant_of(student);
         self.last = variant;
-        let refused = |answer: Answer, words: String| Marked { answer, variant, grade: None, mistake: Some(words) };
-        let student = match &answer.student {
-            Ok(student) => student.clone(),
-            Err(words) => {
-                let words = words.clone();
-                return refused(answer, words);
-            }
+        let refused =
+            |answer, words| Marked { answer, rules: String::new(), variant, grade: None, mistake: Some(words) };
+        let student = match answer.student(&self.veiled) {
+            Ok(student) => student,
+            Err(words) => return refused(answer, words),
         };
+        let rules = [student.axiom.as_str(), &student.rules].join("\n");
+        let rules = rules.trim().chars().take(SHOWN).collect();
         let marker = match self.marker(variant) {
             Ok(marker) => marker,
             Err(words) => return refused(answer, say!("the exercise {}", words)),
@@ -93,11 +99,11 @@ impl Class {
         let student = Definition { rules: marker.exercise().own_rules(&student.rules), ..student };
         let grade = marker.mark(&student);
         let mistake = match grade.errors.first() {
-            Some(error) => Some(error.message()),
+            Some(error) => Some(error.message.clone()),
             None if grade.is_solved => None,
             None => marker.hint(&student),
         };
-        Marked { answer, variant, grade: Some(grade), mistake }
+        Marked { answer, rules, variant, grade: Some(grade), mistake }
     }
 
     /// The differences of the last marked answer, [`SMALL`] by [`SMALL`] pixels, row by row from above: 0 for none, 1 for
@@ -124,7 +130,7 @@ impl Class {
         let place = &mut self.markers[variant];
         if place.is_none() {
             let marker = Marker::new(self.exercise.variant(variant)).map_err(|errors| {
-                let errors: Vec<String> = errors.iter().map(Diagnostic::message).collect();
+                let errors: Vec<String> = errors.iter().map(|problem| problem.message.clone()).collect();
                 say!("cannot be drawn: {}", errors.join(" "))
             })?;
             *place = Some(marker);
@@ -173,6 +179,6 @@ pub fn mistakes(marked: &[Marked]) -> Vec<Mistake> {
         }
         found[place].answers.push(number);
     }
-    found.sort_by_key(|mistake| core::cmp::Reverse(mistake.answers.len()));
+    sorted::sort_by_key(&mut found, |mistake| core::cmp::Reverse(mistake.answers.len()));
     found
 }

@@ -6,15 +6,15 @@
 
 mod chance;
 mod closed;
-mod curve;
 mod export;
 mod fraction;
 mod path;
 mod process;
 mod rate;
 mod recurrence;
+mod sentences;
+mod stretch;
 mod text;
-mod words;
 
 use self::closed::{Term, closed, roots};
 use self::path::Path;
@@ -156,7 +156,7 @@ pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
         series(&process, weights, &values)
     };
     let (symbols, segments) = (series(&all, |row| &row.symbols), series(&process.drawn, |row| &row.segments));
-    let stretch = is_flat.then(|| curve::stretch(system)).flatten();
+    let stretch = is_flat.then(|| stretch::stretch(system)).flatten();
     let is_fractal = segments.kind == GrowthKind::Exponential && segments.degree == 0 && !process.is_random();
     let dimension = stretch.filter(|_| is_fractal).map(|stretch| libm::log(segments.factor) / libm::log(stretch));
     let mut growth = Growth {
@@ -171,7 +171,7 @@ pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
         table: measured(system, rows),
         sentences: Vec::new(),
     };
-    growth.sentences = words::sentences(&growth);
+    growth.sentences = sentences::sentences(&growth);
     Ok(growth)
 }
 

@@ -1,8 +1,8 @@
 //! The length of what is drawn, and the turning of the whole way.
 
 use crate::growth::process::Process;
-use lsystem_drawing::System;
-use lsystem_syntax::{Action, Heading};
+use lsystem_drawing::{AxisTurn, System};
+use lsystem_syntax::{Action, Heading, Motion};
 
 /// The length and the turning that each letter adds.
 pub(crate) struct Path {
@@ -21,18 +21,17 @@ impl Path {
             let letter = system.rules.letter(symbol, 0)?;
             let (mut length, mut turn) = (0.0, Some(Heading::EAST));
             for action in &turtle.actions[usize::from(letter)] {
-                let turned = |own: Option<f64>, usual: Heading| own.map_or(usual, Heading::from_degrees);
-                let by = match *action {
-                    Action::Draw(own) | Action::DrawUnmarked(own) => {
-                        length += own.unwrap_or(turtle.step).abs();
+                let by = match (action.row().motion, action.draws()) {
+                    // A circle or a tube: its length is not the turtle's way.
+                    (Motion::Still, _) if action.segments() > 0 => return None,
+                    (Motion::Ahead, true) => {
+                        length += action.number().unwrap_or(turtle.step).abs();
                         Some(Heading::EAST)
                     }
-                    Action::ScaleLength(_) | Action::Circle(_) => return None,
-                    Action::TurnLeft(own) => Some(turned(own, turtle.left)),
-                    Action::TurnRight(own) => Some(-turned(own, turtle.right)),
-                    Action::TurnRound => Some(Heading::HALF),
-                    Action::Push | Action::Pop | Action::SwapTurns => None,
-                    _ => Some(Heading::EAST),
+                    (Motion::Still | Motion::Ahead, _) => Some(Heading::EAST),
+                    (Motion::Turn, _) => turtle.rotation(*action).map(AxisTurn::signed),
+                    (Motion::Later, _) if *action != Action::SwapTurns => return None,
+                    (Motion::Branch | Motion::Later, _) => None,
                 };
                 turn = turn.zip(by).map(|(turn, by)| turn + by);
             }

@@ -5,7 +5,7 @@ use super::{EXERCISE, PAGE, READ_ME, ScormStandard, escaped};
 /// The name that both standards demand, at the root of the zip.
 pub(super) const NAME: &str = "imsmanifest.xml";
 
-/// What differs between the standards.
+/// The differences between the standards.
 struct Words {
     /// The namespaces and the places of their schemas.
     head: &'static str,

@@ -6,7 +6,7 @@ mod rows;
 mod trace;
 
 pub use one_by_one::{Order, Single, one_by_one};
-pub use rows::{Family, Rows, rows};
+pub use rows::{Rows, SymbolFamily, rows};
 pub use trace::{State, Trace, trace};
 
 /// Why something cannot be shown, as a sentence.

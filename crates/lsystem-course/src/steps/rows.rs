@@ -21,7 +21,8 @@ const LIMITS: Limits =
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-pub struct Family {
+#[cfg_attr(feature = "typescript", ts(rename = "Family"))]
+pub struct SymbolFamily {
     /// The symbol, with its arguments.
     pub parent: String,
     /// The successor, symbol by symbol.
@@ -38,7 +39,7 @@ pub struct Family {
 #[serde(rename_all = "camelCase")]
 pub struct Rows {
     /// The symbols.
-    pub families: Vec<Family>,
+    pub families: Vec<SymbolFamily>,
     /// The place of the first of them, 0-based.
     pub start: String,
     /// The numbers of symbols of this generation and of the next one.
@@ -114,7 +115,7 @@ pub fn rows(system: &System, n: u32, start: u128, count: usize) -> Result<Rows, 
         let mut children = Vec::new();
         let listed = usize::try_from(length).unwrap_or(usize::MAX).min(MAX_CHILDREN);
         reader.modules(true, part.start, listed, &mut |symbol, arguments| children.push(text(symbol, arguments)));
-        Family { parent, children, more: (length - listed as u128).to_string(), first: part.start.to_string() }
+        SymbolFamily { parent, children, more: (length - listed as u128).to_string(), first: part.start.to_string() }
     });
     Ok(Rows {
         families: families.collect(),

@@ -5,7 +5,7 @@ use crate::steps::rows::{Reader, text};
 use lsystem_base::word;
 use lsystem_drawing::rotation::Axis;
 use lsystem_drawing::{Geometry, Solid, System, legend};
-use lsystem_syntax::{Action, Heading};
+use lsystem_syntax::{Action, Motion};
 use serde::Serialize;
 
 /// The most symbols that are followed.
@@ -66,7 +66,7 @@ struct Turtle {
 pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
     let settings = &system.turtle;
     let is_varied = settings.angle_variation != 0.0 || settings.length_variation != 0.0 || settings.growth != 1.0;
-    if settings.tropism.is_some() || settings.sway.is_some() || is_varied {
+    if settings.tropism.is_some() || settings.wind.is_some() || is_varied {
         return Err(word!("The turtle bends or varies its way here, which is not shown symbol by symbol."));
     }
     let reader = Reader::new(system, n)?;
@@ -106,23 +106,17 @@ impl Turtle {
     /// Does an action. Returns whether it draws a segment.
     fn act(&mut self, action: Action, system: &System, stack: &mut Vec<Self>) -> bool {
         let settings = &system.turtle;
-        let turned = |own: Option<f64>, usual: Heading| own.map_or(usual, Heading::from_degrees);
+        let action = if self.swaps { action.mirrored() } else { action };
+        if let Some(turn) = settings.rotation(action) {
+            self.turn = Solid::then(self.turn, Solid::turn(turn.about, turn.signed()));
+        }
         match action {
-            Action::Draw(own) | Action::DrawUnmarked(own) | Action::Move(own) | Action::MoveUnmarked(own) => {
-                let length = own.unwrap_or(settings.step) * self.scale;
+            _ if action.row().motion == Motion::Ahead => {
+                let length = action.number().unwrap_or(settings.step) * self.scale;
                 let axes = Solid::axes(&mut Solid::directions(), self.turn);
                 self.at = Solid::ahead(&axes, self.at, length);
                 return action.draws();
             }
-            Action::TurnLeft(own) if !self.swaps => self.turn(Axis::Up, turned(own, settings.left)),
-            Action::TurnLeft(own) => self.turn(Axis::Up, -turned(own, settings.right)),
-            Action::TurnRight(own) if !self.swaps => self.turn(Axis::Up, -turned(own, settings.right)),
-            Action::TurnRight(own) => self.turn(Axis::Up, turned(own, settings.left)),
-            Action::TurnRound => self.turn(Axis::Up, Heading::HALF),
-            Action::PitchDown(own) => self.turn(Axis::Left, turned(own, settings.pitch_down)),
-            Action::PitchUp(own) => self.turn(Axis::Left, -turned(own, settings.pitch_up)),
-            Action::RollLeft(own) => self.turn(Axis::Ahead, turned(own, settings.roll_left)),
-            Action::RollRight(own) => self.turn(Axis::Ahead, -turned(own, settings.roll_right)),
             Action::RollUpright => self.turn = Solid::upright(self.turn, &Solid::UPWARDS),
             Action::Push => {
                 stack.push(*self);
@@ -138,10 +132,6 @@ impl Turtle {
             _ => {}
         }
         false
-    }
-
-    fn turn(&mut self, about: Axis, by: Heading) {
-        self.turn = Solid::then(self.turn, Solid::turn(about, by));
     }
 
     /// The heading, the left and the up.

@@ -17,7 +17,7 @@ pub(crate) struct System {
 }
 
 /// Pictures with more segments are not compared.
-const MOST: usize = 4000;
+const MAX: usize = 4000;
 /// The distance that counts as none, in pictures of size 1.
 const NEAR: f64 = 1e-6;
 
@@ -63,7 +63,7 @@ impl System {
                 None => c.to_string(),
             };
             word = word.chars().map(successor).collect();
-            if word.len() > 40 * MOST {
+            if word.len() > 40 * MAX {
                 return None;
             }
         }
@@ -94,7 +94,7 @@ impl System {
                 at = to;
             }
         }
-        (found.len() <= MOST).then_some(found)
+        (found.len() <= MAX).then_some(found)
     }
 }
 

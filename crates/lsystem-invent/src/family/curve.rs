@@ -6,7 +6,7 @@ use crate::palette;
 use crate::title::title;
 use lsystem_syntax::{ColourBy, Definition};
 
-/// What a second letter, R beside L, stands for.
+/// The meaning of a second letter, R beside L.
 #[derive(Clone, Copy, PartialEq)]
 enum Twist {
     /// There is no second letter.

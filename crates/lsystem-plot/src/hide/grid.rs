@@ -5,14 +5,14 @@ use super::scene::{Body, Scene, Shape};
 use crate::page::Point;
 use lsystem_syntax::{Halt, Work};
 
-/// The most cells that are tried for each body, and the most for all; of larger cells there are fewer. Cells smaller than
+/// The most cells that are tried for each body, and the most for all bodies. Larger cells are fewer. Cells smaller than
 /// the bodies are soon covered, and bodies behind are not listed there.
 const EACH: f64 = 64.0;
 const FEW: f64 = 1e5;
 /// The most entries for each body beside [`FEW`]: 64 bytes.
 const LISTED: usize = 8;
 /// The most cells along a side.
-const MOST_SIDE: f64 = 2048.0;
+const MAX_SIDE: f64 = 2048.0;
 /// Bodies reach this much into the cells beside, in cells: far above rounding errors.
 const MARGIN: f64 = 1e-6;
 
@@ -324,7 +324,7 @@ impl Boxes {
         let sides = if sides[0].is_finite() { sides } else { [1.0; 2] };
         let corner = if low[0].is_finite() { low } else { [0.0; 2] };
         let count = self.list.len() as f64;
-        let mut side = (sides[0] * sides[1] / (4.0 * count + 1.0)).sqrt().max(sides[0].max(sides[1]) / MOST_SIDE);
+        let mut side = (sides[0] * sides[1] / (4.0 * count + 1.0)).sqrt().max(sides[0].max(sides[1]) / MAX_SIDE);
         let entries = |side: f64| -> f64 {
             let of = |[low, high]: [Point; 2]| {
                 [0, 1].iter().map(|&axis| (high[axis] - low[axis]) / side + 1.0).product::<f64>()

@@ -36,8 +36,9 @@ use crate::page::{Page, Point, distance};
 use crate::pens::Pens;
 use body::{Place, Sight};
 use grid::Grid;
+use lsystem_base::{LimitName, MAX_COMPARISONS};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Halt, Style, Work};
+use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use outline::{EXACT, Edge, outline};
 use pierce::Pierce;
 use scene::{Scene, Shape};
@@ -56,7 +57,7 @@ pub(crate) fn touching() -> f64 {
 /// The visible lines of a drawing, with at most `most` strokes.
 ///
 /// # Errors
-/// If there are too many strokes.
+/// If there are too many strokes, or too many that may hide each other.
 pub(crate) fn hidden(
     drawing: &Drawing,
     style: &Style,
@@ -65,6 +66,7 @@ pub(crate) fn hidden(
     most: u64,
     work: &mut dyn Work,
 ) -> Result<Pens, Halt> {
+    let work = &mut Compared { work, left: MAX_COMPARISONS };
     let mut pens = Pens::new(page, options);
     pens.most = most;
     let scene = Scene::read(drawing, style, page, options, &mut pens, work)?;
@@ -108,6 +110,20 @@ pub(crate) fn hidden(
     }
     draw.lines.draw(options.pen, &mut pens, work)?;
     Ok(pens)
+}
+
+/// Counts comparisons up to a limit: strokes that lie over each other are compared with each other.
+struct Compared<'a> {
+    work: &'a mut dyn Work,
+    left: u64,
+}
+
+impl Work for Compared<'_> {
+    fn charge(&mut self, units: u64) -> Result<(), Halt> {
+        let too_many = || Diagnostic::limit(LimitName::Comparisons, MAX_COMPARISONS, None);
+        self.left = self.left.checked_sub(units).ok_or_else(too_many)?;
+        self.work.charge(units)
+    }
 }
 
 /// Draws the visible parts of lines.

@@ -6,7 +6,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 /// The most by which a line leaves a round end or the outline of a stroke, in pens.
 pub(super) const EXACT: f64 = 0.05;
 /// The most lines of half a round end.
-const MOST: f64 = 256.0;
+const MAX: f64 = 256.0;
 
 /// A line of an outline.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ fn arc(tube: &Tube, end: usize, [from, to]: [f64; 2], pen: f64, edges: &mut Vec<
     let radius = tube.radii[end];
     // Half the angle of a line that touches the circle, and whose ends are so near.
     let half = libm::acos(radius / (radius + EXACT * pen));
-    let count = libm::ceil((to - from) / (2.0 * half)).clamp(1.0, MOST * (to - from) / PI);
+    let count = libm::ceil((to - from) / (2.0 * half)).clamp(1.0, MAX * (to - from) / PI);
     let step = (to - from) / count;
     let far = radius / libm::cos(step / 2.0);
     let mut last = on_circle(tube, end, from, radius);

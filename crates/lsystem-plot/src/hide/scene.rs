@@ -107,6 +107,7 @@ impl Scene {
                 return Err(pens.too_many());
             }
         }
+        scene.drop_equal(work)?;
         scene.runs = Runs::new(&scene.vertices);
         let joints = Joints::new(&mut scene.bodies, is_solid, work)?;
         if !is_solid {
@@ -140,6 +141,25 @@ impl Scene {
                 face(&mut self.vertices, &mut corners.into_iter(), plane, false);
             }
         }
+        Ok(())
+    }
+
+    /// Drops polygons that lie once more at the same place later, which hides them.
+    fn drop_equal(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+        let vertices = &self.vertices;
+        let mut known = HashSet::new();
+        let mut is_last = vec![true; self.bodies.len()];
+        for (is_last, body) in is_last.iter_mut().zip(&self.bodies).rev() {
+            let Shape::Face { vertices: range, plane, is_outlined } = &body.shape else { continue };
+            work.charge(1 + body.corners() / 4)?;
+            let corner = |place: &Place| place.map(|part| libm::round(part / JOINT) as i64);
+            let mut corners: Vec<_> = vertices[range.start as usize..range.end as usize].iter().map(corner).collect();
+            let first = (0..corners.len()).min_by_key(|&at| corners[at]).unwrap_or_default();
+            corners.rotate_left(first);
+            *is_last = known.insert((corners, *is_outlined, plane.is_none().then_some(body.layer)));
+        }
+        let mut last = is_last.iter();
+        self.bodies.retain(|_| last.next() == Some(&true));
         Ok(())
     }
 
@@ -193,7 +213,7 @@ impl Joints {
     const NONE: u32 = u32::MAX;
     /// The most tubes at a point that are one with a stroke there. More tubes are seldom, and the time grows with the
     /// square of their number.
-    const MOST: usize = 64;
+    const MAX: usize = 64;
 
     /// Finds the joints of some bodies. Of equal strokes, only the last one stays: it hides the others.
     /// In space there are no joints.
@@ -282,7 +302,7 @@ impl Joints {
             let range = (end != Self::NONE).then(|| [end, end + 1].map(|end| self.starts[end as usize] as usize));
             let tubes = range.map_or(&[][..], |[start, end]| &self.tubes[start..end]);
             let before = tubes.partition_point(|&tube| tube < body);
-            tubes[before.saturating_sub(Self::MOST)..before].iter().copied()
+            tubes[before.saturating_sub(Self::MAX)..before].iter().copied()
         };
         ends.into_iter().flat_map(at)
     }

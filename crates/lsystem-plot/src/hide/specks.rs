@@ -114,7 +114,7 @@ mod tests {
 
     /// The pieces of ink of some lines, drawn with a pen of 1 mm.
     fn drawn(lines: Lines) -> Vec<Piece> {
-        let system = System::new(&Definition { axiom: "F".into(), ..Definition::default() }).0.unwrap();
+        let system = System::new(&Definition { axiom: "F".into(), ..Definition::default() }).unwrap();
         let options = PlotOptions { pen: 1.0, ..PlotOptions::default() };
         let page = Page::new(&draw(&system, 0, &Limits::default()).unwrap(), &Sheet::default(), &options);
         let mut pens = Pens::new(&page, &options);

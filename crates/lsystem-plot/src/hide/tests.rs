@@ -264,8 +264,7 @@ fn leaves(seed: u64) -> (Drawing, Definition) {
         iterations: 4,
         ..Definition::default()
     };
-    let (system, diagnostics) = System::new(&definition);
-    let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
+    let system = System::new(&definition).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"));
     (draw(&system, definition.iterations, &Limits::default()).unwrap(), definition)
 }
 
@@ -365,7 +364,7 @@ fn lines_are_where_colours_meet_in_the_painters_picture() {
 fn work(n: u32) -> (u64, u64) {
     let rules = "A -> !(w)F[+A][-A]FA\nw = 0.7".into();
     let definition = Definition { axiom: "A".into(), rules, angle: 28.0, ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let drawing: Drawing = draw(&system, n, &Limits::default()).unwrap();
     let options = PlotOptions { hide: true, ..PlotOptions::default() };
     let page = Page::new(&drawing, &Sheet::default(), &options);
@@ -387,8 +386,7 @@ fn a_way_that_is_drawn_many_times_is_hidden_once() {
         // Around a square, again and again.
         let (axiom, rules) = ("!(3)F".into(), "F -> F+F".into());
         let definition = Definition { axiom, rules, angle: 90.0, ..Definition::default() };
-        let (system, diagnostics) = System::new(&definition);
-        let drawing = draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), n, &Limits::default()).unwrap();
+        let drawing = draw(&System::new(&definition).unwrap(), n, &Limits::default()).unwrap();
         let options = PlotOptions { hide: true, ..PlotOptions::default() };
         let page = Page::new(&drawing, &Sheet::default(), &options);
         let mut meter = Meter::new(0);

@@ -319,7 +319,7 @@ fn met_in(axiom: &str, rules: &str, n: u32) -> usize {
         dialect: Dialect::Abop,
         ..Definition::default()
     };
-    let figure = Figure::draw(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+    let figure = Figure::draw(&System::new(&definition).unwrap(), n, &Limits::default()).unwrap();
     let drawing = figure.seen_from(&Outlook::default(), 100_000).unwrap();
     let options = PlotOptions { hide: true, ..PlotOptions::default() };
     let page = Page::new(&drawing, &Sheet::default(), &options);

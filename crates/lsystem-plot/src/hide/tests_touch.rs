@@ -27,7 +27,7 @@ pub(super) fn away(pieces: &[Piece], layer: u32, point: Point) -> f64 {
 fn moves_that_are_drawn_hardly_leave_the_ink() {
     let rules = "F -> FF-[-F+F+F]+[+F-F-F]".into();
     let definition = Definition { axiom: "!(0.5)F".into(), rules, angle: 22.5, ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let drawing = draw(&system, 3, &Limits::default()).unwrap();
     let options = PlotOptions { pen: 0.3, hide: true, ..PlotOptions::default() };
     let page = Page::new(&drawing, &Sheet { width: 60.0, height: 60.0, margin: 5.0 }, &options);

@@ -10,7 +10,7 @@ use lsystem_syntax::{Halt, Work};
 /// The bodies beside a line that are passed by in a unit of work.
 const PASSED: u64 = 8;
 
-/// What a line lies on.
+/// The body that a line lies on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct On {
     /// The body of the line. No part of its mark hides the line.
@@ -67,7 +67,7 @@ impl<'a> Visible<'a> {
                     passed += 1;
                     continue;
                 }
-                // Of many corners, runs are passed by.
+                // Bodies with many corners charge by runs of corners.
                 work.charge(2 + scene.bodies[other as usize].corners() / 64)?;
                 let before = self.hidden.len();
                 scene.shadows(on.number, other, line, &mut self.crossings, &mut self.hidden);

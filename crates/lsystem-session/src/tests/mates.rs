@@ -1,7 +1,7 @@
 //! One picture by several sessions.
 
 use super::{Bench, bush};
-use crate::{Outcome, PaneStep, Surface};
+use crate::{Outcome, PaneStep, Screen};
 use lsystem::render::Pane;
 use lsystem::{View, Viewport};
 

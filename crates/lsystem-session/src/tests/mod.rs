@@ -6,7 +6,8 @@ mod reading;
 mod schedule;
 mod zoom;
 
-use crate::{Drawn, Report, Session, Surface};
+use crate::viewer::CanvasPicture;
+use crate::{Report, Screen, Session};
 use lsystem::render::Pane;
 use lsystem::{Definition, View, Viewport};
 use std::cell::{Cell, RefCell};
@@ -27,9 +28,9 @@ struct Pixels {
 
 /// A canvas that a test can look at.
 #[derive(Clone, Default)]
-struct Screen(Rc<RefCell<Pixels>>);
+struct Sheet(Rc<RefCell<Pixels>>);
 
-impl Screen {
+impl Sheet {
     fn pixels(&self) -> Vec<u8> {
         self.0.borrow().pixels.clone()
     }
@@ -39,7 +40,7 @@ impl Screen {
 #[derive(Debug, PartialEq)]
 struct Refused;
 
-impl Surface for Screen {
+impl Screen for Sheet {
     type Error = Refused;
 
     fn put(&mut self, pixels: &[u8], viewport: Viewport, pane: Pane) -> Result<(), Refused> {
@@ -71,14 +72,14 @@ struct Hand {
 
 /// A session, its canvas and its clock.
 struct Bench {
-    session: Session<Screen>,
-    screen: Screen,
+    session: Session<Sheet>,
+    screen: Sheet,
     hand: Hand,
 }
 
 impl Bench {
-    fn of(make: fn(Screen, crate::Clock) -> Session<Screen>) -> Self {
-        let (screen, hand) = (Screen::default(), Hand::default());
+    fn of(make: fn(Sheet, crate::Clock) -> Session<Sheet>) -> Self {
+        let (screen, hand) = (Sheet::default(), Hand::default());
         let Hand { now, tick } = hand.clone();
         let clock = Box::new(move || {
             now.set(now.get() + tick.get());
@@ -113,7 +114,7 @@ impl Bench {
     }
 
     /// Works until the session is idle. Returns the pictures, and the last report.
-    fn settle(&mut self) -> (Vec<Drawn>, Option<Report>) {
+    fn settle(&mut self) -> (Vec<CanvasPicture>, Option<Report>) {
         let (mut pictures, mut last) = (vec![], None);
         for _ in 0..100_000 {
             let answer = self.session.step().unwrap();

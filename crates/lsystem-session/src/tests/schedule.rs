@@ -8,7 +8,7 @@ use lsystem::{Camera, Figure, Limits, Progress, Renderer, SolidRenderer, System,
 
 /// The finest picture of the fitted view, by a renderer alone.
 fn finest(definition: &lsystem::Definition) -> Vec<u8> {
-    let system = System::new(definition).0.unwrap();
+    let system = System::new(definition).unwrap();
     let mut drawer = Figure::drawer(&system, definition.iterations, Limits::PAGE);
     while drawer.step(1 << 20) == Progress::More {}
     match drawer.finish().unwrap() {
@@ -49,7 +49,9 @@ fn a_quick_picture_in_the_plane_is_fine_at_once() {
 #[test]
 fn a_slow_picture_in_the_plane_is_coarse_first_and_fine_after_rest() {
     let mut bench = Bench::with(&random(15), STEP);
-    assert_eq!(complete(&mut bench), [false, true]);
+    while bench.session.step().unwrap().drawn.is_none() {}
+    assert_eq!(bench.screen.0.borrow().size, [80, 60], "half the width and height");
+    assert_eq!(complete(&mut bench), [true]);
     assert_eq!(bench.screen.pixels(), finest(&random(15)));
     // The next pictures are coarse at once, and one fine picture is tried after them.
     bench.tick(0.0);

@@ -5,6 +5,7 @@ use lsystem::base::{LimitName, Meter};
 use lsystem::drawing::Space;
 use lsystem::syntax::Kind;
 use lsystem::{Definition, Dialect, Drawer, Drawing, Limits, Plane, Progress, Solid, System, draw};
+use test_effort::sampled;
 
 /// The limits of the page, except for memory, which is larger here.
 pub(crate) const LIMITS: Limits =
@@ -49,8 +50,8 @@ fn step<S: Space>(
 }
 
 fn each(lengths: &[usize], mut visit: impl FnMut(&str, &System, u32)) {
-    for &length in lengths {
-        for case in cases(length) {
+    for (number, &length) in lengths.iter().enumerate() {
+        for case in sampled(cases(length), 3, number) {
             let system = case.system();
             for &n in generations(length) {
                 visit(&format!("{}, n = {n}", case.name), &system, n);
@@ -97,7 +98,7 @@ fn no_step_of_a_drawing_of_many_symbols_with_numbers_or_branches_is_too_large() 
         [(Dialect::Abop, "FFFAFF", twice, 90.0, 3), (Dialect::Practical, "A-FA-F", branches, 30.0, 5)]
     {
         let definition = Definition { dialect, axiom: axiom.into(), rules, angle, ..Definition::default() };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let mut drawer = Drawer::<Plane>::new(&system, n, LIMITS);
         while {
             let before = drawer.spent();
@@ -124,7 +125,7 @@ fn refused_drawings_stay_within_their_memory() {
             length_variation: 50.0,
             ..Definition::default()
         };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let mut drawer = Drawer::<Solid>::new(&system, n, LIMITS);
         let mut largest = 0;
         while drawer.step(16_384) == Progress::More {
@@ -140,7 +141,7 @@ fn what_a_drawing_is_derived_from_counts() {
     let rules = "F < F -> FF\nF > F -> FF";
     let definition =
         Definition { axiom: "FF".into(), rules: rules.into(), length_variation: 10.0, ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let n = 16;
     let whole = draw::<Plane>(&system, n, &LIMITS).unwrap();
     // The bytes of a letter and its place in the derivation.
@@ -170,7 +171,7 @@ pub(crate) fn finished<S: Space>(drawer: Drawer<S>) -> Option<Drawing<S>> {
 fn segments_take_few_bytes() {
     let rules = "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[&F]F : 0.34";
     let definition = Definition { axiom: "F".into(), rules: rules.into(), angle: 25.7, ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let limits = Limits { segments: 300_000, ..LIMITS };
     let n = (0..20).take_while(|&n| draw::<Plane>(&system, n, &limits).is_ok()).last().unwrap();
     let plane = draw::<Plane>(&system, n, &limits).unwrap();

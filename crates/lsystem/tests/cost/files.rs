@@ -8,6 +8,7 @@ use lsystem::files::{Content, FileOptions, Format, Owner, Sink};
 use lsystem::syntax::Halt;
 use lsystem::{Definition, Drawer, Drawing, Plane, Progress, Solid, System, draw};
 use std::sync::Arc;
+use test_effort::sampled;
 
 /// The units of work between two calls.
 const SHARE: u64 = 1 << 14;
@@ -15,7 +16,7 @@ const SHARE: u64 = 1 << 14;
 /// some words of XML.
 const BYTES: u64 = 32;
 /// The most segments of a file in these tests.
-const MOST: u64 = 100_000;
+const MAX: u64 = 100_000;
 
 /// An owner that checks the bytes of each piece against its work.
 struct Checked<'a> {
@@ -39,7 +40,7 @@ impl Owner for Checked<'_> {
 }
 
 fn options() -> FileOptions {
-    FileOptions { most: MOST, memory: 64 << 20, ..FileOptions::default() }
+    FileOptions { most: MAX, memory: 64 << 20, ..FileOptions::default() }
 }
 
 fn see(largest: &mut Largest, name: &str, write: impl FnOnce(&mut Sink<'_>) -> Result<(), Halt>) {
@@ -54,12 +55,12 @@ fn see_paper(largest: &mut Largest, format: &str, name: &str, drawing: &Arc<Draw
 
 fn see_table(largest: &mut Largest, name: &str, drawing: &Drawing) {
     let Content::Segments { plane, .. } = Format::named("csv").unwrap().content else { panic!("csv") };
-    see(largest, name, |sink| plane(drawing, MOST, sink));
+    see(largest, name, |sink| plane(drawing, MAX, sink));
 }
 
 /// The projected drawing; `None` if it is too large.
 fn see_projection(largest: &mut Largest, name: &str, drawing: &Drawing<Solid>) -> Option<Arc<Drawing>> {
-    let mut projection = Projection::new(drawing, &Outlook::default(), MOST).ok()?;
+    let mut projection = Projection::new(drawing, &Outlook::default(), MAX).ok()?;
     let (mut before, mut progress) = (0, Progress::More);
     while progress == Progress::More {
         progress = projection.step(drawing, SHARE);
@@ -83,8 +84,8 @@ fn print(all: &[(&str, &Largest)]) {
 #[test]
 fn no_part_of_a_file_takes_more_than_its_share_and_a_piece() {
     let (mut csv, mut svg, mut compact) = (Largest::default(), Largest::default(), Largest::default());
-    for length in [1, 100, 10_000] {
-        for case in cases(length) {
+    for (number, length) in [1, 100, 10_000].into_iter().enumerate() {
+        for case in sampled(cases(length), 3, number) {
             let system = case.system();
             for n in [0, 1, 12, 40] {
                 if system.is_solid() {
@@ -105,8 +106,8 @@ fn no_part_of_a_file_takes_more_than_its_share_and_a_piece() {
 #[test]
 fn no_step_of_a_projection_takes_more_than_its_share_and_a_piece() {
     let (mut projection, mut svg) = (Largest::default(), Largest::default());
-    for length in [1, 100, 10_000] {
-        for case in cases(length) {
+    for (number, length) in [1, 100, 10_000].into_iter().enumerate() {
+        for case in sampled(cases(length), 3, number) {
             let system = case.system();
             for n in [0, 3, 12] {
                 let Some(drawing) = finished(Drawer::<Solid>::new(&system, n, LIMITS)) else { continue };
@@ -123,7 +124,7 @@ fn no_step_of_a_projection_takes_more_than_its_share_and_a_piece() {
 fn polygons_of_many_vertices_are_counted() {
     let rules = format!("G -> {{{}}}", "F+".repeat(24_990));
     let definition = Definition { axiom: "G".into(), rules, angle: 0.01, ..Definition::default() };
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let plane = Arc::new(draw::<Plane>(&system, 1, &LIMITS).unwrap());
     let solid = draw::<Solid>(&system, 1, &LIMITS).unwrap();
     assert!(plane.is_memoised() && plane.polygon_count() == 1);
@@ -139,8 +140,8 @@ fn polygons_of_many_vertices_are_counted() {
 #[test]
 fn no_part_of_a_mesh_takes_more_than_its_share_and_a_piece() {
     let mut meshes = ["obj", "glb", "stl"].map(|format| (format, Largest::default()));
-    for length in [1, 100, 10_000] {
-        for case in cases(length) {
+    for (number, length) in [1, 100, 10_000].into_iter().enumerate() {
+        for case in sampled(cases(length), 3, number) {
             let Some(drawing) = finished(Drawer::<Solid>::new(&case.system(), 3, LIMITS)) else { continue };
             let drawing = Arc::new(drawing);
             for (format, largest) in &mut meshes {

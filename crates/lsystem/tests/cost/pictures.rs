@@ -9,7 +9,7 @@ use lsystem::{
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use test_effort::is_thorough;
+use test_effort::{is_thorough, sampled};
 
 /// The units of work of a step, as in the page.
 const SHARE: u64 = 16_384;
@@ -121,15 +121,15 @@ const ORDINARY: Viewport = Viewport { width: 160, height: 100, ratio: 1.0 };
 #[test]
 fn no_step_of_a_picture_exceeds_its_share_by_more_than_a_piece() {
     let mut most = Most::default();
-    for length in &LENGTHS[..3] {
-        for case in cases(*length) {
+    for (number, length) in LENGTHS[..3].iter().enumerate() {
+        for case in sampled(cases(*length), 3, number) {
             for &n in generations(*length).iter().filter(|&&n| *length <= 100 || n <= 12) {
                 check(&case, n, &[(ORDINARY, 1.0)], &mut most);
             }
         }
     }
     most.print();
-    assert!(most.drawings > 100);
+    assert!(most.drawings > 30);
 }
 
 #[test]

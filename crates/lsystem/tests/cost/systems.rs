@@ -41,8 +41,7 @@ impl Case {
     /// # Panics
     /// If the definition has errors.
     pub(crate) fn system(&self) -> System {
-        let (system, diagnostics) = System::new(&self.definition);
-        system.unwrap_or_else(|| panic!("{}: {diagnostics:?}", self.name))
+        System::new(&self.definition).unwrap_or_else(|diagnostics| panic!("{}: {diagnostics:?}", self.name))
     }
 }
 

@@ -4,7 +4,7 @@
 //! headings are sums of floating-point degrees.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
-use lsystem::derive::Varied;
+use lsystem::derive::Quantity;
 use lsystem::drawing::{Colouring, Segment, Space, Turtle};
 use lsystem::syntax::{Action, Grammar};
 use lsystem::{Dialect, System};
@@ -172,14 +172,14 @@ fn variations(system: &System, n: u32, module: &Module, slot: usize) -> [f64; 2]
     let turtle = &system.turtle;
     let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
     let of = |purpose, most: f64| grown * (1.0 + most * module.key.variation(system.seed, purpose, slot as u32));
-    [of(Varied::Length, turtle.length_variation), of(Varied::Angle, turtle.angle_variation)]
+    [of(Quantity::Length, turtle.length_variation), of(Quantity::Angle, turtle.angle_variation)]
 }
 
 /// The turns of a sway to the left and downwards, in radians: of a branch that `step` made, or of the plant's root.
 fn swayed(turtle: &Turtle, step: Option<u32>) -> [f64; 2] {
-    let Some(sway) = turtle.sway else { return [0.0; 2] };
-    let phase = (sway.phase.degrees() - 40.0 * f64::from(step.unwrap_or(0))).to_radians();
-    let strength = if step.is_some() { sway.strength } else { sway.strength / 3.0 };
+    let Some(wind) = turtle.wind else { return [0.0; 2] };
+    let phase = (wind.phase.degrees() - 40.0 * f64::from(step.unwrap_or(0))).to_radians();
+    let strength = if step.is_some() { wind.strength } else { wind.strength / 3.0 };
     [strength * libm::sin(phase), 0.4 * strength * libm::cos(phase)].map(f64::to_radians)
 }
 

@@ -37,7 +37,7 @@ impl State {
     }
 
     /// Turns the turtle, and the vertical with it.
-    fn sway(&mut self, [left, down]: [f64; 2]) {
+    fn wind(&mut self, [left, down]: [f64; 2]) {
         let along = [self.heading, self.left, self.up].map(|axis| dot(axis, self.vertical));
         self.rotate(self.up, left);
         self.rotate(self.left, down);
@@ -105,7 +105,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
     // All polygons, the indices of the open ones, and the indices of the closed ones.
     let (mut polygons, mut open, mut closed): (Vec<Filled>, Vec<usize>, Vec<usize>) = Default::default();
     state.rotate([0.0, 0.0, 1.0], turtle.heading.degrees().to_radians());
-    state.sway(swayed(turtle, None));
+    state.wind(swayed(turtle, None));
     state.tube = state.tube_place();
     let (mut saved, mut segments) = (Vec::new(), Vec::new());
     for module in drawn(system, n) {
@@ -189,7 +189,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                 }
                 Action::Push => {
                     saved.push(state);
-                    state.sway(swayed(turtle, Some(module.step)));
+                    state.wind(swayed(turtle, Some(module.step)));
                 }
                 Action::Pop => state = saved.pop().unwrap_or(state),
                 // Other actions change only the pen.

@@ -4,7 +4,7 @@ use lsystem::{Definition, System};
 use proptest::prelude::*;
 
 /// A sway: strength and phase, often none.
-pub fn sway() -> impl Strategy<Value = [f64; 2]> {
+pub fn wind() -> impl Strategy<Value = [f64; 2]> {
     prop_oneof![Just([0.0, 0.0]), (-20.0..20.0, -360.0..720.0).prop_map(|(strength, phase)| [strength, phase])]
 }
 
@@ -29,8 +29,7 @@ pub fn system(features: Features) -> impl Strategy<Value = System> {
             let draw = if images.is_empty() { String::new() } else { format!("\ndraw:\n{}", images.join("\n")) };
             let rules = format!("r = 0.75\n{seen}{}{draw}", rules.join("\n"));
             let definition = Definition { axiom, rules, seed, angle: 25.0, ..Definition::default() };
-            let (system, diagnostics) = System::new(&definition);
-            system.unwrap_or_else(|| panic!("{definition:?}: {diagnostics:?}"))
+            System::new(&definition).unwrap_or_else(|diagnostics| panic!("{definition:?}: {diagnostics:?}"))
         },
     )
 }

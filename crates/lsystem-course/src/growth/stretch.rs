@@ -2,7 +2,7 @@
 
 use lsystem_derive::Rewrite;
 use lsystem_drawing::System;
-use lsystem_syntax::{Action, Heading};
+use lsystem_syntax::{Action, Heading, Motion};
 
 /// The most steps.
 const STEPS: usize = 400;
@@ -29,7 +29,7 @@ const NOWHERE: Way = Way { x: 0.0, y: 0.0, turn: Heading::EAST };
 /// or if there is no such factor.
 pub(crate) fn stretch(system: &System) -> Option<f64> {
     let (rules, turtle) = (&system.rules, &system.turtle);
-    let is_simple = rules.is_plain() && !rules.is_random() && turtle.tropism.is_none() && turtle.sway.is_none();
+    let is_simple = rules.is_plain() && !rules.is_random() && turtle.tropism.is_none() && turtle.wind.is_none();
     let size: usize = rules.rewrites.iter().filter_map(Rewrite::always).map(<[u16]>::len).sum();
     if !is_simple || turtle.length_factor != 1.0 || turtle.angle_variation != 0.0 || size > MAX_WORK {
         return None;
@@ -101,17 +101,12 @@ fn way_of(system: &System, actions: &[Action]) -> Option<Way> {
     let turtle = &system.turtle;
     let mut way = NOWHERE;
     for action in actions {
-        let turned = |own: Option<f64>, usual: Heading| own.map_or(usual, Heading::from_degrees);
-        let step = match *action {
-            Action::Draw(own) | Action::Move(own) | Action::DrawUnmarked(own) | Action::MoveUnmarked(own) => {
-                Way { x: own.unwrap_or(turtle.step), ..NOWHERE }
-            }
-            Action::TurnLeft(own) => Way { turn: turned(own, turtle.left), ..NOWHERE },
-            Action::TurnRight(own) => Way { turn: -turned(own, turtle.right), ..NOWHERE },
-            Action::TurnRound => Way { turn: Heading::HALF, ..NOWHERE },
-            Action::ScaleLength(_) | Action::SwapTurns => return None,
-            Action::Push | Action::Pop if actions.len() > 1 => return None,
-            _ => NOWHERE,
+        let step = match action.row().motion {
+            Motion::Ahead => Way { x: action.number().unwrap_or(turtle.step), ..NOWHERE },
+            Motion::Turn => Way { turn: turtle.rotation(*action)?.signed(), ..NOWHERE },
+            Motion::Later => return None,
+            Motion::Branch if actions.len() > 1 => return None,
+            Motion::Still | Motion::Branch => NOWHERE,
         };
         way = then(way, step);
     }

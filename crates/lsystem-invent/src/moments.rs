@@ -3,13 +3,13 @@
 use std::sync::LazyLock;
 
 /// The shapes of the gallery's drawings in the plane, a line each, sorted. `tests/gallery.rs` writes the file.
-static GALLERY: LazyLock<Vec<Shape>> =
-    LazyLock::new(|| include_str!("gallery.txt").lines().filter_map(Shape::read).collect());
+static GALLERY: LazyLock<Vec<Moments>> =
+    LazyLock::new(|| include_str!("gallery.txt").lines().filter_map(Moments::read).collect());
 
 /// The number of segments, and the moments of their middles about their centre: numbers that stay as they are when a
 /// drawing is turned, mirrored, moved or scaled. Drawings that differ hardly ever agree in all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct Moments {
     /// Segments.
     pub count: usize,
     /// The mean square of the distance from the centre, in squares of the mean length of segments.
@@ -18,7 +18,7 @@ pub struct Shape {
     pub tail: f64,
 }
 
-impl Shape {
+impl Moments {
     /// The shape of lines, at least one of which has a length.
     #[must_use]
     pub fn of(lines: &[[[f64; 2]; 2]]) -> Self {

@@ -85,7 +85,7 @@ impl Check {
             }
             Verdict::Unreadable(reason) => say!("The output cannot be read: {}.", reason),
             Verdict::Failed(diagnostics) => {
-                let messages: Vec<String> = diagnostics.iter().map(lsystem_syntax::Diagnostic::message).collect();
+                let messages: Vec<String> = diagnostics.iter().map(|problem| problem.message.clone()).collect();
                 say!("The system cannot be compared. {}", messages.join(" "))
             }
         }

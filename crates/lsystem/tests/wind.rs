@@ -3,7 +3,7 @@
 use lsystem::{Definition, Figure, Limits, Style, System};
 
 fn figure(definition: &Definition, n: u32) -> Figure {
-    Figure::draw(&System::new(definition).0.expect("no errors"), n, &Limits::default()).expect("within the limits")
+    Figure::draw(&System::new(definition).expect("no errors"), n, &Limits::default()).expect("within the limits")
 }
 
 fn bush() -> Definition {
@@ -24,16 +24,16 @@ fn blocks_stay_shared() {
     let spatial = Definition { rules: "X -> F[&X]////[&X]////&X\nF -> FF".into(), ..bush() };
     // A still plant with `$` is not shared at 40 steps.
     for (definition, n) in [(bush(), 40), (spatial, 40), (tree(), 8)] {
-        let blocks = |sway: [f64; 2]| {
-            let figure = figure(&Definition { sway, ..definition.clone() }, n);
+        let blocks = |wind: [f64; 2]| {
+            let figure = figure(&Definition { wind, ..definition.clone() }, n);
             assert!(figure.is_memoised());
             figure.block_count()
         };
         let still = blocks([0.0, 0.0]);
         // At phase 0 and at any other: some blocks may be equal by chance.
         for phase in [0.0, 77.0] {
-            let swaying = blocks([3.0, phase]);
-            assert!(swaying.abs_diff(still) <= still / 20 + 2, "{n}: {still} {swaying}");
+            let in_wind = blocks([3.0, phase]);
+            assert!(in_wind.abs_diff(still) <= still / 20 + 2, "{n}: {still} {in_wind}");
         }
     }
 }
@@ -49,7 +49,7 @@ fn ends(figure: &Figure) -> Vec<f64> {
 fn a_phase_is_a_place_on_a_loop() {
     for definition in [bush(), tree()] {
         let at =
-            |strength: f64, phase: f64| ends(&figure(&Definition { sway: [strength, phase], ..definition.clone() }, 4));
+            |strength: f64, phase: f64| ends(&figure(&Definition { wind: [strength, phase], ..definition.clone() }, 4));
         assert_eq!(at(3.0, 0.0), at(3.0, 360.0));
         assert_eq!(at(3.0, 100.0), at(3.0, 820.0));
         assert_ne!(at(3.0, 0.0), at(3.0, 180.0));
@@ -60,7 +60,7 @@ fn a_phase_is_a_place_on_a_loop() {
 #[test]
 fn a_drawing_without_branches_stands_still() {
     let koch = Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-    let system = |sway| System::new(&Definition { sway, ..koch.clone() }).0.expect("no errors");
+    let system = |wind| System::new(&Definition { wind, ..koch.clone() }).expect("no errors");
     assert_eq!(system([5.0, 90.0]), system([0.0, 0.0]));
 }
 
@@ -72,7 +72,7 @@ fn the_sway_of_branches_goes_to_one_side_of_the_model() {
             axiom: axiom.into(),
             overrides: "S: swap turns".into(),
             angle: 50.0,
-            sway: [9.0, 90.0],
+            wind: [9.0, 90.0],
             style: Style::default(),
             ..Definition::default()
         };
