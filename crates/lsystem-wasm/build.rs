@@ -1,11 +1,11 @@
 //! Links the wasm with a maximum of memory.
 
 /// The most bytes of one instance: a backstop. The shares of `src/budget.rs` add up to half of this.
-const MOST_MEMORY: u32 = 512 << 20;
+const MAX_MEMORY: u32 = 512 << 20;
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     if std::env::var("CARGO_CFG_TARGET_ARCH").as_deref() == Ok("wasm32") {
-        println!("cargo::rustc-link-arg-cdylib=--max-memory={MOST_MEMORY}");
+        println!("cargo::rustc-link-arg-cdylib=--max-memory={MAX_MEMORY}");
     }
 }

@@ -5,7 +5,6 @@ use lsystem_drawing::Origin;
 use lsystem_files::{FORMATS, FileLimits, FileOptions, FileTask, FileView, Format, OptionValue, Sink};
 use lsystem_render::{Camera, View};
 use lsystem_syntax::fields::field;
-use lsystem_syntax::message::expected_words;
 use lsystem_syntax::notes::similar;
 use lsystem_syntax::{Expected, Value};
 use serde::Deserialize;
@@ -43,7 +42,7 @@ pub(crate) fn make(open: &OpenSystem, format: &'static Format, request: &FileReq
     let view = view.as_ref().map_or(Ok(View::default()), Members::view)?;
     let camera = camera.as_ref().map(Members::camera).transpose()?;
     if ratio.is_some_and(|ratio| !RATIO.admits(ratio)) {
-        return Err(Refusal::words(format!("ratio must be {}", expected_words(RATIO))));
+        return Err(Refusal::words(format!("ratio must be {}", RATIO.words())));
     }
     let view = FileView { view, segment, camera, upto: None, ratio: *ratio, is_described: true };
     let OpenSystem { definition, system } = open;
@@ -110,7 +109,7 @@ impl Members {
                 return Err(unknown(&format!("{owner} has no option"), name, known.iter().map(|(name, _)| *name)));
             };
             if !expected.admits_value(value) {
-                return Err(Refusal::words(format!("{owner}.{name} must be {}", expected_words(*expected))));
+                return Err(Refusal::words(format!("{owner}.{name} must be {}", expected.words())));
             }
         }
         Ok(())

@@ -10,16 +10,16 @@ mod segments;
 mod strings;
 
 use js_sys::{JsString, Uint8Array};
+use lsystem_js::{thrown, to_js};
 use opened::{OpenSystem, Refusal};
 use segments::{SegmentPages, draw};
-use serde::Serialize;
 use strings::SymbolPages;
 use wasm_bindgen::prelude::*;
 
 /// A system whose problems, if it has any, are warnings.
-#[wasm_bindgen]
+#[wasm_bindgen(js_name = System)]
 #[derive(Debug)]
-pub struct System(OpenSystem);
+pub struct ScriptSystem(OpenSystem);
 
 /// The segments of a drawing, in drawing order.
 #[wasm_bindgen(getter_with_clone)]
@@ -35,8 +35,8 @@ pub struct Segments {
     pub levels: js_sys::Uint16Array,
 }
 
-#[wasm_bindgen]
-impl System {
+#[wasm_bindgen(js_class = System)]
+impl ScriptSystem {
     /// Reads an object of [`lsystem_files::read_fields`]. `n` replaces its number of iterations.
     ///
     /// # Errors
@@ -168,15 +168,4 @@ pub fn read(bytes: &[u8]) -> Result<JsValue, JsValue> {
         Some(_) => to_js(&reading),
         None => Err(thrown(reading.refusal())),
     }
-}
-
-/// Translates a value to plain objects and arrays; `None` becomes null.
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    let plain = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&plain).map_err(JsValue::from)
-}
-
-#[expect(clippy::needless_pass_by_value, reason = "the error of a result")]
-fn thrown(refusal: Refusal) -> JsValue {
-    to_js(&refusal).unwrap_or_else(|error| error)
 }

@@ -51,8 +51,7 @@ impl Reading {
         if let (Some(definition), Some(n), Some(spec)) = (&mut definition, n, field("iterations")) {
             let n = Value::Number(n);
             if !(spec.admits(&n) && spec.set(definition, &n)) {
-                let kind = Kind::Range { label: spec.label, expected: spec.expected };
-                diagnostics.push(Diagnostic { kind, field: Field::Numbers, span: 0..0 });
+                diagnostics.push(spec.out_of_range());
             }
         }
         Self::new(definition, diagnostics, json)
@@ -65,8 +64,7 @@ impl Reading {
     }
 
     fn new(definition: Option<Definition>, mut diagnostics: Vec<Diagnostic>, json: &str) -> Self {
-        let (system, more) = definition.as_ref().map(System::new).unwrap_or_default();
-        diagnostics.extend(more);
+        let system = definition.as_ref().and_then(|definition| System::read(definition, &mut diagnostics));
         let has_errors = diagnostics.iter().any(Diagnostic::is_error);
         let mut problems = shown(&diagnostics, definition.as_ref().unwrap_or(&Definition::default()), json);
         if definition.is_none() && !has_errors {

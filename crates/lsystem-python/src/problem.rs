@@ -43,10 +43,10 @@ impl Problem {
     pub(crate) fn of(diagnostic: &Diagnostic, source: &str, text: &str) -> Self {
         let [start, end] = characters(text, &diagnostic.span);
         Self {
-            severity: if diagnostic.severity() == Severity::Error { "error" } else { "warning" },
+            severity: if diagnostic.severity == Severity::Error { "error" } else { "warning" },
             field: diagnostic.field.name(),
-            message: diagnostic.message(),
-            hint: diagnostic.hint(),
+            message: diagnostic.message.clone(),
+            hint: diagnostic.hint.clone(),
             start,
             end,
             report: render_diagnostic(diagnostic, source, text).trim_end().to_owned(),

@@ -105,8 +105,9 @@ impl CoreSystem {
     /// An exception with all problems if one is an error.
     fn compile(py: Python<'_>, definition: Option<&Definition>, mut warnings: Vec<Problem>) -> PyResult<Self> {
         if let Some(definition) = definition.filter(|_| !warnings.iter().any(Problem::is_error)) {
-            let (system, diagnostics) = System::new(definition);
-            warnings.extend(diagnostics.iter().map(|problem| in_text(problem, definition)));
+            let mut problems = vec![];
+            let system = System::read(definition, &mut problems);
+            warnings.extend(problems.iter().map(|problem| in_text(problem, definition)));
             if let Some(system) = system {
                 return Ok(Self { definition: definition.clone(), system, warnings });
             }

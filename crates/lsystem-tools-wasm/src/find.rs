@@ -1,8 +1,9 @@
 //! The search for the rules of a picture or a string.
 
-use crate::{from_js, to_js};
 use lsystem_base::words::said;
-use lsystem_find::{Drawn, FOUND, Finder, Named, Photograph, Picture, Question, Searched, Share, StringFinder, Svg};
+use lsystem_find::{Drawn, FOUND, Finder, Named, Photograph, Picture, Question, Searched, Share, StringFinder};
+use lsystem_js::{from_js, to_js};
+use lsystem_svg::SvgPicture;
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -67,11 +68,11 @@ pub(crate) struct Candidate {
     is_found: bool,
 }
 
-/// The outline in an SVG as a shape in the notation, as [`lsystem_find::outline_of_svg`]; undefined if it is no outline.
+/// The outline in an SVG as a shape in the notation, as [`lsystem_svg::outline_of_svg`]; undefined if it is no outline.
 #[wasm_bindgen(js_name = outlineOfSvg)]
 #[must_use]
 pub fn outline_of_svg(bytes: &[u8]) -> Option<String> {
-    lsystem_find::outline_of_svg(bytes).ok()
+    lsystem_svg::outline_of_svg(bytes).ok()
 }
 
 /// A picture that is read for the search, as levels of grey.
@@ -91,7 +92,8 @@ impl GreyPicture {
     /// Throws a sentence if it is not drawn.
     #[wasm_bindgen(js_name = ofSvg)]
     pub fn of_svg(bytes: &[u8]) -> Result<Self, JsValue> {
-        let Svg { grey, width, height, left_out, .. } = lsystem_find::draw_svg(bytes).map_err(JsValue::from)?;
+        let SvgPicture { grey, width, height, left_out, .. } =
+            lsystem_svg::draw_svg(bytes).map_err(|error| error.message)?;
         Ok(Self { grey, width, height, left_out: left_out.into_iter().map(said).collect::<Vec<_>>().join(", ") })
     }
 

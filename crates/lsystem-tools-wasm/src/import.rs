@@ -1,9 +1,9 @@
 //! The readers and the writers of other notations.
 
-use crate::{from_js, to_js};
 use lsystem_base::say;
 use lsystem_import::write::{Notation, Written, export};
 use lsystem_import::{Fate, Part, Remark};
+use lsystem_js::{from_js, to_js};
 use lsystem_syntax::Definition;
 use serde::Serialize;
 use ts_rs::TS;

@@ -1,8 +1,8 @@
 //! New systems, and lines of descent.
 
-use crate::{from_js, to_js};
 use lsystem_base::Progress;
 use lsystem_film::{Ending, Frame, GifWriter, LIMITS, Painter, PaletteMaker};
+use lsystem_js::{from_js, to_js};
 use lsystem_render::{Detail, Vantage};
 use lsystem_syntax::Definition;
 use wasm_bindgen::prelude::*;
@@ -61,7 +61,7 @@ impl DescentFilm {
             drawn: 1.0,
             framed: None,
         };
-        let problem = |error: lsystem_syntax::Diagnostic| JsValue::from(error.message());
+        let problem = |error: lsystem_syntax::Diagnostic| JsValue::from(error.message);
         self.painter.begin(&frame, [self.side; 2], Detail::Fine).map_err(problem)?;
         while self.painter.step(STEP).map_err(problem)? == Progress::More {}
         self.colours.add(self.painter.pixels());

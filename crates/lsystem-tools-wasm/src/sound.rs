@@ -1,12 +1,12 @@
 //! The walk of the turtle as notes.
 
-use crate::{from_js, to_js};
 use lsystem_base::{Limits, Meter, Progress};
 use lsystem_drawing::{Figure, FigureDrawer, System};
 use lsystem_files::{FileOptions, OptionValue};
+use lsystem_js::{from_js, to_js};
 use lsystem_render::fitted_ends;
 use lsystem_sound::{SoundOptions, Tune, Walk, listen, marked};
-use lsystem_syntax::{Definition, Diagnostic, Halt, Work};
+use lsystem_syntax::{Definition, Diagnostic, Diagnostics, Halt, Work};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use ts_rs::TS;
@@ -58,7 +58,7 @@ pub struct Listener {
 }
 
 fn problem(error: &Diagnostic) -> JsValue {
-    error.message().into()
+    error.message.as_str().into()
 }
 
 #[wasm_bindgen]
@@ -70,9 +70,13 @@ impl Listener {
     #[wasm_bindgen(constructor)]
     pub fn new(definition: JsValue) -> Result<Self, JsValue> {
         let definition: Definition = from_js(definition)?;
-        let (system, diagnostics) = System::new(&definition);
-        let error = || diagnostics.iter().find(|one| one.is_error()).map_or(JsValue::NULL, problem);
-        Ok(Self { system: system.ok_or_else(error)?, n: definition.iterations, drawer: None, walk: None })
+        let error = |problems: Diagnostics| problems.first_error().as_ref().map_or(JsValue::NULL, problem);
+        Ok(Self {
+            system: System::new(&definition).map_err(error)?,
+            n: definition.iterations,
+            drawer: None,
+            walk: None,
+        })
     }
 
     /// Draws for about `work` units. Returns whether there is more to do before [`Listener::part`].

@@ -15,7 +15,8 @@ use expect_test::expect_file;
 use lsystem_course::steps::{Rows, Single, Trace};
 use lsystem_course::{Exercise, Varied};
 use lsystem_session::{
-    Anchor, FileRead, Notation, Outcome, Picked, Report, SharedPane, Site, StepAnswer, StringPage, SymbolFacts,
+    Anchor, FileRead, ModulePlace, Outcome, Picked, Report, SharedPane, StepAnswer, StringPage, SymbolFacts,
+    TextClasses,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -56,8 +57,8 @@ fn declarations() -> String {
         SymbolFacts,
         Picked,
         Anchor,
-        Notation,
-        Site,
+        TextClasses,
+        ModulePlace,
         FileRead,
         SharedPane,
         Outcome

@@ -2,14 +2,14 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{JSON, Reflect};
-use lsystem_tools_wasm::make_file;
+use lsystem_tools_wasm::{make_file, make_picture};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
 /// The most bytes of an instance, as ARCHITECTURE.md states.
-const MOST: usize = 256 << 20;
+const MAX: usize = 256 << 20;
 
 /// The size of pictures of pixels, which are made in several bands.
 const SIZE: &str = "4096x2304";
@@ -23,10 +23,11 @@ fn make(format: &str, turn: char, count: usize) -> bool {
         r#"{{"format": "{format}", "options": {{{options}}}, "definition": {{"axiom": "{axiom}", "rules": "F -> {first} : 1\nF -> {second} : 1", "angle": 20, "iterations": 16}}}}"#
     );
     let page = Closure::<dyn Fn(JsValue)>::new(drop::<JsValue>);
-    let report = make_file(JSON::parse(&asked).unwrap(), page.as_ref().unchecked_ref()).unwrap();
+    let write = if format == "png" { make_picture } else { make_file };
+    let report = write(JSON::parse(&asked).unwrap(), page.as_ref().unchecked_ref()).unwrap();
     let bytes = core::arch::wasm32::memory_size(0) << 16;
     wasm_bindgen_test::console_log!("{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
-    assert!(bytes <= MOST, "{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
+    assert!(bytes <= MAX, "{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
     Reflect::get(&report, &"complete".into()).unwrap().is_truthy()
 }
 

@@ -2,7 +2,7 @@
 
 use lsystem::Viewport;
 use lsystem::render::Pane;
-use lsystem_session::{Clock, Surface};
+use lsystem_session::{Clock, Screen};
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d, Performance, WorkerGlobalScope};
 
@@ -19,7 +19,7 @@ impl Canvas {
     }
 }
 
-impl Surface for Canvas {
+impl Screen for Canvas {
     type Error = JsValue;
 
     fn put(&mut self, pixels: &[u8], viewport: Viewport, pane: Pane) -> Result<(), JsValue> {

@@ -11,27 +11,19 @@ mod canvas;
 mod plain;
 mod playground;
 mod texts;
-mod words;
 
-pub use plain::{Segments, draw, expand, fresh_seed};
+pub use plain::{PlainSegments, draw, expand, fresh_seed};
 pub use playground::Playground;
 pub use texts::{notation, qr_code, read_file, site_of};
-pub use words::set_reader;
 
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
 
 /// The types of arguments and results, for the generated declarations only.
 #[wasm_bindgen(typescript_custom_section)]
 const MESSAGES: &str = include_str!("../../../www/js/messages.d.ts");
 
-fn from_js<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
-    Ok(serde_wasm_bindgen::from_value(value)?)
-}
-
-/// Translates a value to plain objects and arrays; `None` becomes null.
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    let plain = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&plain).map_err(JsValue::from)
+/// Sets the function that finds translations, as [`lsystem_js::set_reader`].
+#[wasm_bindgen(js_name = setReader)]
+pub fn set_reader(reader: js_sys::Function) {
+    lsystem_js::set_reader(reader);
 }

@@ -1,13 +1,12 @@
 //! The two plain functions, and seeds for them.
 
-use crate::{from_js, to_js};
-use lsystem_session::ThrownProblems;
+use lsystem_js::{from_js, thrown};
 use wasm_bindgen::prelude::*;
 
 /// The segments of a drawing, in drawing order.
-#[wasm_bindgen(getter_with_clone)]
+#[wasm_bindgen(js_name = Segments, getter_with_clone)]
 #[derive(Debug)]
-pub struct Segments {
+pub struct PlainSegments {
     /// x0 y0 x1 y1 of each segment, in model units, y up.
     pub segments: js_sys::Float32Array,
     /// The colour index of each segment, not yet wrapped to a palette.
@@ -30,9 +29,9 @@ pub fn expand(definition: JsValue, n: u32) -> Result<String, JsValue> {
 /// # Errors
 /// Throws `{diagnostics}` if the definition has errors or the drawing is too large.
 #[wasm_bindgen]
-pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
+pub fn draw(definition: JsValue, n: u32) -> Result<PlainSegments, JsValue> {
     let arrays = lsystem_session::segments(&from_js(definition)?, n).map_err(thrown)?;
-    Ok(Segments {
+    Ok(PlainSegments {
         segments: arrays.ends.as_slice().into(),
         colours: arrays.colours.as_slice().into(),
         levels: arrays.levels.as_slice().into(),
@@ -46,9 +45,4 @@ pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
 #[wasm_bindgen]
 pub fn fresh_seed() -> Result<u32, JsValue> {
     getrandom::u32().map_err(|error| JsValue::from_str(&error.to_string()))
-}
-
-#[expect(clippy::needless_pass_by_value, reason = "the error of a result")]
-fn thrown(problems: ThrownProblems) -> JsValue {
-    to_js(&problems).unwrap_or_else(|error| error)
 }

@@ -1,9 +1,9 @@
 //! The page's handle of a session.
 
 use crate::canvas::{Canvas, clock};
-use crate::{from_js, to_js};
 use lsystem::Viewport;
 use lsystem::render::{PageCamera, PageView, Pane};
+use lsystem_js::{from_js, to_js};
 use lsystem_session::{Outcome, PaneStep, Session};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;

@@ -1,7 +1,7 @@
 //! Texts, files and links, without a drawing.
 
-use crate::{from_js, to_js};
 use lsystem::syntax::Field;
+use lsystem_js::{from_js, to_js};
 use wasm_bindgen::prelude::*;
 
 /// The classes of a definition's characters and its constants, whether it is valid or not.

@@ -118,9 +118,8 @@ fn density() -> String {
         let mut renderer = Renderer::new();
         renderer.load(Arc::new(draw::<Plane>(&system, definition.iterations, &Limits::default()).unwrap()));
         let mut pixels = Digest::new();
-        for (ink, detail) in
-            [Ink::Density, Ink::Auto].into_iter().flat_map(|ink| [(ink, Detail::Coarse), (ink, Detail::Fine)])
-        {
+        let details = [Detail::Sketch, Detail::Coarse, Detail::Fine];
+        for (ink, detail) in [Ink::Density, Ink::Auto].into_iter().flat_map(|ink| details.map(|detail| (ink, detail))) {
             let style = Style { ink, ..system.style.clone() };
             let view = View { x: 0.01, y: -0.02, zoom, ..View::default() };
             let viewport = Viewport { width: 240, height: 180, ratio: 1.0 };
@@ -213,7 +212,7 @@ fn plane() -> String {
 }
 
 fn compiled(definition: &Definition) -> System {
-    System::new(definition).0.unwrap()
+    System::new(definition).unwrap()
 }
 
 /// The hash FNV-1a (Fowler, Noll and Vo): different results collide only by intent.

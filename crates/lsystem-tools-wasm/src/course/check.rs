@@ -1,8 +1,8 @@
 //! The output of a program, compared with a system.
 
-use crate::{from_js, to_js};
 use lsystem_course::Verdict;
 use lsystem_drawing::System;
+use lsystem_js::{from_js, to_js};
 use lsystem_syntax::Definition;
 use serde::Serialize;
 use ts_rs::TS;
@@ -30,7 +30,7 @@ pub fn check_output(definition: JsValue, output: &str) -> Result<JsValue, JsValu
     let symbol = match &check.verdict {
         Verdict::Symbol(difference) => Some(u128::from(difference.index)),
         Verdict::Segment { index, .. } => System::new(&definition)
-            .0
+            .ok()
             .and_then(|system| system.word(definition.iterations)?.symbol_of_segment(u128::from(*index))),
         _ => None,
     };

@@ -1,17 +1,17 @@
 //! What teachers need: exercises written, their variants, and the answers of a class marked.
 
 use super::exercise::undrawable;
-use crate::{from_js, to_js};
 use lsystem_base::say;
 use lsystem_base::words::shown;
-use lsystem_course::{Answer, Class, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
+use lsystem_course::{Answer, ClassMarker, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
+use lsystem_js::{from_js, to_js};
 use serde::Serialize;
 use std::collections::VecDeque;
 use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// The most answers that are marked.
-const MOST: usize = 10_000;
+const MAX: usize = 10_000;
 
 /// A marked answer, as a table shows it.
 #[derive(Serialize, TS)]
@@ -27,7 +27,7 @@ pub(crate) struct MarkedAnswer {
     /// Empty if there is nothing to mark.
     percent: String,
     symbols: Option<u32>,
-    /// The axiom, if it was to be found, and the rules.
+    /// The axiom, if it was to be found, and the rules; only the beginning of long ones.
     rules: String,
     words: String,
     /// From 1.
@@ -54,7 +54,7 @@ pub(crate) struct AboutClass<'a> {
 /// Answers that are being marked.
 #[wasm_bindgen]
 pub struct ClassMarking {
-    class: Class,
+    class: ClassMarker,
     left: VecDeque<Answer>,
     marked: Vec<Marked>,
 }
@@ -71,8 +71,8 @@ impl ClassMarking {
         let veiled = exercise_in(wanted)
             .or_else(|| is_bare(exercise).then(|| exercise.trim().to_owned()))
             .ok_or_else(|| say!("There is no link of an exercise (with x=…)."))?;
-        let class = Class::new(veiled).map_err(|wrong| say!("The exercise {}.", wrong))?;
-        let left: VecDeque<Answer> = answers(text, &say!("Answer"), class.veiled()).take(MOST).collect();
+        let class = ClassMarker::new(veiled).map_err(|wrong| say!("The exercise {}.", wrong))?;
+        let left: VecDeque<Answer> = answers(text, &say!("Answer"), class.veiled()).take(MAX).collect();
         if left.is_empty() {
             return Err(
                 say!("There is no answer: paste links, one on each line, or a table with a column of links.").into()
@@ -98,19 +98,15 @@ impl ClassMarking {
     pub fn step(&mut self) -> Result<JsValue, JsValue> {
         let Some(answer) = self.left.pop_front() else { return Ok(JsValue::NULL) };
         let one = self.class.mark(answer);
-        let rules = one.answer.student.as_ref().map_or_else(
-            |_| String::new(),
-            |student| [student.axiom.as_str(), &student.rules].join("\n").trim().to_owned(),
-        );
         let row = to_js(&MarkedAnswer {
             name: one.answer.name.clone(),
             by: one.answer.by.clone(),
-            link: one.answer.link.clone(),
+            link: one.answer.link().map(str::to_owned),
             is_solved: one.is_solved(),
             agreement: one.grade.as_ref().map_or(0.0, |grade| grade.agreement),
             percent: shown(&one.percent()),
             symbols: one.grade.as_ref().map(|grade| grade.symbols),
-            rules,
+            rules: one.rules.clone(),
             words: one.words(),
             variant: one.variant + 1,
         });

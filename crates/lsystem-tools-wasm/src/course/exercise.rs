@@ -1,9 +1,9 @@
 //! Exercises: what a student sees, and marks.
 
-use crate::{from_js, to_js};
 use lsystem_base::say;
 use lsystem_base::words::shown;
 use lsystem_course::{Asks, Exercise, Given, Grade, Marker, Marking};
+use lsystem_js::{from_js, to_js};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
 use ts_rs::TS;
@@ -138,7 +138,7 @@ impl OpenExercise {
         self.is_solved |= mark.is_solved;
         let percent = shown(&mark.percent());
         let Grade { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
-        let errors = errors.iter().map(Diagnostic::message).collect();
+        let errors = errors.iter().map(|problem| problem.message.clone()).collect();
         let exercise = self.marker.exercise();
         let is_open = exercise.axiom != Given::Hidden && !exercise.rules.contains(&Given::Hidden);
         let text = self.marker.own_text(MAX_SYMBOLS).filter(|_| is_open).map(str::to_owned);
@@ -197,6 +197,6 @@ pub fn variant_of(text: &str, student: &str) -> Result<JsValue, JsValue> {
 }
 
 pub(super) fn undrawable(errors: &[Diagnostic]) -> JsValue {
-    let words: Vec<String> = errors.iter().map(|error| format!("{}.", error.message())).collect();
+    let words: Vec<String> = errors.iter().map(|error| format!("{}.", error.message)).collect();
     JsValue::from(say!("The exercise cannot be drawn: {}", words.join(" ")))
 }

@@ -1,10 +1,10 @@
 //! How the generations of a system grow.
 
-use crate::{from_js, to_js};
 use lsystem_base::words::said;
 use lsystem_course::growth::{Growth, growth as growth_of};
 use lsystem_drawing::System;
-use lsystem_syntax::{Definition, Diagnostic};
+use lsystem_js::{from_js, to_js};
+use lsystem_syntax::Definition;
 use serde::Serialize;
 use ts_rs::TS;
 use wasm_bindgen::prelude::*;
@@ -30,13 +30,8 @@ pub(crate) struct GrowthReport {
 #[wasm_bindgen]
 pub fn growth(definition: JsValue) -> Result<JsValue, JsValue> {
     let definition: Definition = from_js(definition)?;
-    let (system, diagnostics) = System::new(&definition);
-    let made = match &system {
-        Some(system) => growth_of(system, definition.iterations).map_err(said),
-        None => {
-            Err(diagnostics.iter().filter(|one| one.is_error()).map(Diagnostic::message).collect::<Vec<_>>().join(" "))
-        }
-    };
+    let system = System::new(&definition).map_err(|problems| problems.to_string());
+    let made = system.and_then(|system| growth_of(&system, definition.iterations).map_err(said));
     let (csv, latex) = made.as_ref().map_or_else(|_| Default::default(), |growth| (growth.csv(), growth.latex()));
     let why = made.as_ref().err().cloned().unwrap_or_default();
     to_js(&GrowthReport { growth: made.ok(), why, csv, latex, shown: MAX_SHOWN })

@@ -1,14 +1,12 @@
 //! Exercises, checks, growth and single steps.
 
 pub(crate) mod check;
-#[cfg(feature = "class")]
 pub(crate) mod class;
 pub(crate) mod exercise;
 pub(crate) mod growth;
 mod steps;
 
 pub use check::check_output;
-#[cfg(feature = "class")]
 pub use class::{ClassMarking, variants_of, write_exercise};
 pub use exercise::{OpenExercise, variant_of};
 pub use growth::growth;

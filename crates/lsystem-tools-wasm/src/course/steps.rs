@@ -1,10 +1,9 @@
 //! Derivations and turtles step by step.
 
-use crate::{from_js, to_js};
 use lsystem_base::words::said;
 use lsystem_course::steps::{Order, Why, one_by_one as singles, rows, trace};
 use lsystem_drawing::System;
-use lsystem_syntax::Diagnostic;
+use lsystem_js::{from_js, to_js};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -43,10 +42,6 @@ fn with_system<T: Serialize>(
     definition: JsValue,
     read: impl FnOnce(&System) -> Result<T, Why>,
 ) -> Result<JsValue, JsValue> {
-    let (system, diagnostics) = System::new(&from_js(definition)?);
-    let Some(system) = system else {
-        let errors = diagnostics.iter().filter(|one| one.is_error()).map(Diagnostic::message);
-        return Err(JsValue::from(errors.collect::<Vec<_>>().join(" ")));
-    };
+    let system = System::new(&from_js(definition)?).map_err(|problems| JsValue::from(problems.to_string()))?;
     to_js(&read(&system).map_err(said)?)
 }

@@ -1,8 +1,8 @@
 //! Files of systems.
 
 use lsystem_drawing::System;
-use lsystem_files::{FileLimits, FileOptions, FileTask, FileView, Format, Owner, Sink};
-use lsystem_syntax::{Definition, Problem, problems};
+use lsystem_files::{FileLimits, FileOptions, FileTask, FileView, Format, Notes, Owner, Sink};
+use lsystem_syntax::{Definition, Halt, Problem, problems};
 
 /// The file to make.
 pub(crate) struct Order {
@@ -22,15 +22,18 @@ pub(crate) struct Report {
     pub(crate) diagnostics: Vec<Problem>,
 }
 
+/// What writes a file.
+pub(crate) type Writer = fn(&FileTask<'_>, &mut Sink<'_>) -> Result<Notes, Halt>;
+
 /// Makes a file. A definition with errors has none.
-pub(crate) fn make(order: &Order, owner: &mut dyn Owner) -> Report {
+pub(crate) fn make(order: &Order, write: Writer, owner: &mut dyn Owner) -> Report {
     let Order { definition, format, options, view } = order;
-    let (system, diagnostics) = System::new(definition);
-    let Some(system) = system else {
-        return Report { complete: false, diagnostics: problems(&diagnostics, definition, "") };
+    let system = match System::new(definition) {
+        Ok(system) => system,
+        Err(wrong) => return Report { complete: false, diagnostics: problems(&wrong.0, definition, "") },
     };
     let task = FileTask { definition, system: &system, format, options, view: view.clone(), limits: FileLimits::PAGE };
-    let (complete, remarks) = match Sink::to(owner, |sink| lsystem_files::make(&task, sink)) {
+    let (complete, remarks) = match Sink::to(owner, |sink| write(&task, sink)) {
         Ok(notes) => (true, notes.remark),
         Err(halt) => (false, Some(halt.diagnostic())),
     };
@@ -41,7 +44,6 @@ pub(crate) fn make(order: &Order, owner: &mut dyn Owner) -> Report {
 mod tests {
     use super::*;
     use lsystem_files::FORMATS;
-    use lsystem_syntax::Halt;
 
     fn order(format: &str, definition: Definition) -> Order {
         let format = Format::named(format).unwrap();
@@ -63,7 +65,7 @@ mod tests {
 
     fn finish(order: &Order) -> (Report, Vec<u8>, usize) {
         let mut pieces = Pieces::default();
-        let report = make(order, &mut pieces);
+        let report = make(order, lsystem_files::make, &mut pieces);
         (report, pieces.0, pieces.1)
     }
 

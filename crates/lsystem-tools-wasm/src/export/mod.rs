@@ -8,13 +8,13 @@ mod scorm;
 
 pub use scorm::make_package;
 
-use crate::{from_js, to_js};
 use js_sys::{Function, Uint8Array};
 use lsystem_base::say;
-use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner};
+use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner, PNG, make_with, write_pixels};
+use lsystem_js::{from_js, to_js};
 use lsystem_render::{PageCamera, PageView};
 use lsystem_syntax::{Definition, Halt, Problem};
-use maker::{Order, Report, make};
+use maker::{Order, Report, Writer, make};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use ts_rs::TS;
@@ -85,7 +85,7 @@ impl Owner for Page<'_> {
     }
 }
 
-/// Makes a file of `{definition, format, options, view, camera, ratio, upto}`. `tell` is called with each piece of the
+/// Makes a file, but no picture of pixels, of `{definition, format, options, view, camera, ratio, upto}`. `tell` is called with each piece of the
 /// file, a `Uint8Array` of about 1 MiB, and without a piece at least every millisecond, as a sign of life.
 ///
 /// Returns `{complete, diagnostics}`. The file is not complete if a limit was exceeded or the definition has errors.
@@ -94,14 +94,32 @@ impl Owner for Page<'_> {
 /// Throws if there is no such format or option, or if the argument cannot be translated.
 #[wasm_bindgen]
 pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
+    made(asked, tell, Format::named, |task, sink| make_with(task, |_, _| Err(Halt::Stopped), sink))
+}
+
+/// As [`make_file`], for pictures of pixels.
+///
+/// # Errors
+/// As [`make_file`].
+#[wasm_bindgen]
+pub fn make_picture(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
+    made(asked, tell, |name| (name == PNG.name).then_some(&PNG), write_pixels)
+}
+
+fn made(
+    asked: JsValue,
+    tell: &Function,
+    named: fn(&str) -> Option<&'static Format>,
+    write: Writer,
+) -> Result<JsValue, JsValue> {
     let Asked { definition, format, options, view, camera, ratio, upto } = from_js(asked)?;
-    let format = Format::named(&format).ok_or_else(|| say!("there is no format `{}`", format))?;
+    let format = named(&format).ok_or_else(|| say!("there is no format `{}`", format))?;
     let options = FileOptions::from_values(&options)?;
     let segment = view.as_ref().and_then(PageView::origin);
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into));
     let view = FileView { view, segment, camera, upto, ratio: Some(ratio), is_described: true };
     let mut page = Page { tell, piece: vec![] };
-    let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, &mut page);
+    let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, write, &mut page);
     let complete = complete && page.hand_on().is_ok();
     let report = ExportReport { complete, diagnostics };
     to_js(&report)

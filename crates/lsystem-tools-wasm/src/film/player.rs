@@ -1,10 +1,10 @@
 //! A film whose frames are made in steps.
 
 use super::words;
-use crate::{from_js, to_js};
 use lsystem_base::Progress;
 use lsystem_drawing::Origin;
 use lsystem_film::{Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, Subject, palette_samples};
+use lsystem_js::{from_js, to_js};
 use lsystem_render::{Detail, PageCamera, PageView, Vantage};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
@@ -38,8 +38,8 @@ pub struct FilmPlayer {
 
 /// A problem of a frame in words.
 fn problem(error: &Diagnostic) -> JsValue {
-    let hint = error.hint().map_or_else(String::new, |hint| format!(" {hint}"));
-    format!("{}{hint}", error.message()).into()
+    let hint = error.hint.as_ref().map_or_else(String::new, |hint| format!(" {hint}"));
+    format!("{}{hint}", error.message).into()
 }
 
 /// The script of a text. The first view is about `segment`, unless the script has views of its own.

@@ -1,8 +1,8 @@
 //! The usual films for the page's buttons.
 
 use super::words;
-use crate::from_js;
 use lsystem_film::{Preset, Script};
+use lsystem_js::from_js;
 use lsystem_render::{Camera, View};
 use serde::Deserialize;
 use ts_rs::TS;
@@ -19,7 +19,8 @@ pub(crate) enum PresetObject {
     /// One turn of the camera, in degrees from `azimuth` on.
     Turntable { azimuth: f64 },
     /// Wind of this strength, in degrees.
-    Sway { strength: f64 },
+    #[serde(rename = "sway")]
+    Wind { strength: f64 },
     /// A dive to the numbers of a view (x, y, zoom, fx, fy), or of a camera in space (azimuth, elevation, zoom, x, y, z).
     Dive { place: Vec<f64>, space: bool },
 }
@@ -30,7 +31,7 @@ impl From<PresetObject> for Preset {
             PresetObject::Growth { n } => Self::Growth(n),
             PresetObject::Turtle => Self::Turtle,
             PresetObject::Turntable { azimuth } => Self::Turntable(Camera { azimuth, ..Camera::default() }),
-            PresetObject::Sway { strength } => Self::Sway(strength),
+            PresetObject::Wind { strength } => Self::Wind(strength),
             PresetObject::Dive { place, space } => {
                 let number = |at: usize, usual: f64| place.get(at).copied().unwrap_or(usual);
                 if space {
@@ -46,7 +47,7 @@ impl From<PresetObject> for Preset {
 }
 
 /// The text of a film with a preset in place of its other presets: `{kind: 'growth', n}`, `{kind: 'turtle'}`,
-/// `{kind: 'turntable', azimuth}`, `{kind: 'sway', strength}` or `{kind: 'dive', place, space}`.
+/// `{kind: 'turntable', azimuth}`, `{kind: 'wind', strength}` or `{kind: 'dive', place, space}`.
 ///
 /// # Errors
 /// Throws the words of the first problem of the text.

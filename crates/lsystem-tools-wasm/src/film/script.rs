@@ -1,13 +1,12 @@
 //! Scripts as plain objects.
 
 use super::words;
-use crate::{from_js, to_js};
 use lsystem_base::MAX_ITERATIONS;
 use lsystem_base::say;
 use lsystem_base::words::said;
 use lsystem_drawing::Origin;
 use lsystem_film::{Script, Subject};
-use lsystem_syntax::message::expected_words;
+use lsystem_js::{from_js, to_js};
 use lsystem_syntax::{Definition, Expected, FieldSpec, classify};
 use serde::Serialize;
 use ts_rs::TS;
@@ -94,7 +93,7 @@ pub fn subjects(definition: JsValue) -> Result<JsValue, JsValue> {
         name: "n".to_owned(),
         label: say!("Iterations"),
         value: Some(vec![f64::from(definition.iterations)]),
-        expected: expected_words(Expected::Between(0.0, f64::from(MAX_ITERATIONS))),
+        expected: Expected::Between(0.0, f64::from(MAX_ITERATIONS)).words(),
     }];
     for subject in Subject::names().filter_map(Subject::named) {
         let Subject::Field(FieldSpec { label, expected, .. }) = subject else { continue };
@@ -102,18 +101,13 @@ pub fn subjects(definition: JsValue) -> Result<JsValue, JsValue> {
             name: subject.name(),
             label: said(label),
             value: subject.of(definition),
-            expected: expected_words(*expected),
+            expected: expected.words(),
         });
     }
     for constant in classify(definition).constants.into_iter().filter(|constant| constant.is_number) {
         let (name, value) = (constant.name, constant.value.map(|value| vec![value]));
         let subject = Subject::Constant(name.clone());
-        list.push(SubjectObject {
-            name: subject.name(),
-            label: name,
-            value,
-            expected: expected_words(Expected::Number),
-        });
+        list.push(SubjectObject { name: subject.name(), label: name, value, expected: Expected::Number.words() });
     }
     to_js(&list)
 }

@@ -2,7 +2,7 @@
 
 use js_sys::Function;
 use std::cell::RefCell;
-use wasm_bindgen::prelude::*;
+use wasm_bindgen::JsValue;
 
 thread_local! {
     static READER: RefCell<Option<Function>> = const { RefCell::new(None) };
@@ -10,7 +10,6 @@ thread_local! {
 
 /// Sets the function that finds translations. It gets an English text and a number or null, and returns the
 /// translation, or null if there is none.
-#[wasm_bindgen(js_name = setReader)]
 pub fn set_reader(reader: Function) {
     READER.set(Some(reader));
     lsystem_base::words::set_reader(read);
