@@ -8,7 +8,7 @@ use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
 use lsystem::base::fixed::Fixed;
 use lsystem::base::{MAX_SEGMENT_DIGITS, say};
-use lsystem::film::{Film, LIMITS, Script, dive_to, grow, sway, sway_strength, turntable, turtle};
+use lsystem::film::{Film, LIMITS, Script, dive_to, grow, turntable, turtle, wind, wind_strength};
 use lsystem::render::opening_camera;
 use lsystem::{Camera, Figure, Limits, Vantage};
 use pool::Pool;
@@ -53,8 +53,8 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     let size = options.size.map_or(script.size, |size| [size.width, size.height]);
     let (seconds, rate) = (options.seconds.unwrap_or(script.seconds), options.fps.unwrap_or(script.rate));
     script.set(seconds, rate, size).map_err(words)?;
-    script.ending = options.ending.map_or(script.ending, |ending| ending.0);
-    script.easing = options.easing.map_or(script.easing, |easing| easing.0);
+    script.ending = options.ending.unwrap_or(script.ending);
+    script.easing = options.easing.unwrap_or(script.easing);
     let is_solid = input.system.is_solid();
     let draw = || Figure::draw(&input.system, input.iterations, &limits).map_err(|limit| input.limit(&limit));
     let camera = if is_solid { opening_camera(&draw()?) } else { Camera::default() };
@@ -80,7 +80,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
         if !input.system.has_branches() {
             return Err(words(say!("--sway is for drawings with branches, and this drawing has none")));
         }
-        tracks.push(sway(&script, sway_strength(&input.definition)));
+        tracks.push(wind(&script, wind_strength(&input.definition)));
     }
     if let Some(Dive(number)) = &options.dive {
         let figure = draw()?;

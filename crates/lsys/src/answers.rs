@@ -2,24 +2,24 @@
 
 use crate::{CommandFailure, input};
 use lsystem::base::say;
-use lsystem::course::{Answer, Class, MAX_OUTPUT, answers as in_text, exercise_in};
+use lsystem::base::words::grouped;
+use lsystem::course::{Answer, ClassMarker, Handed, MAX_OUTPUT, answers as in_text, exercise_in};
 use lsystem::read_file;
-use lsystem::syntax::message::grouped;
 use std::path::Path;
 
 /// The most answers in a table.
-const MOST: usize = 100_000;
+const MAX: usize = 100_000;
 
 /// Reads an exercise: a link, or a file that contains one.
 ///
 /// # Errors
 /// [`CommandFailure::Words`] if there is no exercise, or it is damaged or cannot be drawn.
-pub(crate) fn class(word: &str) -> Result<Class, CommandFailure> {
+pub(crate) fn class(word: &str) -> Result<ClassMarker, CommandFailure> {
     let text = if is_link(word) { word.to_owned() } else { input::text_of(Path::new(word))? };
     let Some(veiled) = exercise_in(&text) else {
         return Err(CommandFailure::Words(say!("{}: there is no link of an exercise (with x=...)", word)));
     };
-    Class::new(veiled).map_err(|wrong| CommandFailure::Words(say!("the exercise {}", wrong)))
+    ClassMarker::new(veiled).map_err(|wrong| CommandFailure::Words(say!("the exercise {}", wrong)))
 }
 
 /// The answers that one word of the command line names.
@@ -38,16 +38,17 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
         if text.len() > MAX_OUTPUT {
             return refused(say!("longer than {} MiB, which is not read", MAX_OUTPUT >> 20));
         }
-        let found: Vec<Answer> = in_text(text, &name, exercise).take(MOST + 1).collect();
-        if found.len() > MOST {
-            return refused(say!("more than {} answers", grouped(&MOST.to_string())));
+        let found: Vec<Answer> = in_text(text, &name, exercise).take(MAX + 1).collect();
+        if found.len() > MAX {
+            return refused(say!("more than {} answers", grouped(&MAX.to_string())));
         }
         if !found.is_empty() {
             return Ok(found);
         }
     }
-    let student = read_file(&bytes).definition.ok_or_else(|| say!("this is no system and no link"));
-    Ok(vec![Answer { name, by: String::new(), link: None, student }])
+    let nothing = || Handed::Nothing(say!("this is no system and no link"));
+    let given = read_file(&bytes).definition.map_or_else(nothing, |student| Handed::System(Box::new(student)));
+    Ok(vec![Answer { name, by: String::new(), given }])
 }
 
 fn is_link(word: &str) -> bool {

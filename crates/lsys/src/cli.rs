@@ -1,22 +1,21 @@
 //! The command line: commands, options and help texts.
 
-use crate::file_flags::FileFlags;
-use crate::{language, memory};
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueHint};
+mod options;
+mod values;
+
+pub(crate) use options::{
+    Changes, ExhibitOptions, FilmFormat, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, ViewOptions,
+};
+pub(crate) use values::{Dive, Scheme, whole};
+
+use crate::find::Known;
+use crate::language;
+use clap::builder::PossibleValuesParser;
+use clap::{Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
-use lsystem::base::fixed::Fixed;
-use lsystem::base::words::said;
-use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal, say};
-use lsystem::course::ScormStandard;
-use lsystem::drawing::Origin;
-use lsystem::files::{FORMATS, FileView, Format};
-use lsystem::film::{Easing, Ending};
-use lsystem::import::write::{NOTATIONS, Notation};
-use lsystem::render::{MAX_ZOOM, Share, TilePlace, View};
-use std::num::NonZero;
+use lsystem::import::write::Notation;
 use std::path::PathBuf;
-use std::str::FromStr;
+use values::notations;
 
 const FILE: &str = "System as JSON, in the notation of another program, or in an SVG or PNG; - for standard input";
 
@@ -54,7 +53,7 @@ pub(crate) struct Cli {
     pub(crate) verb: Verb,
 }
 
-#[derive(Subcommand)]
+#[derive(Debug, PartialEq, Subcommand)]
 pub(crate) enum Verb {
     /// Show a system in the browser: change it there, or in an editor, and save it
     ///
@@ -65,15 +64,8 @@ pub(crate) enum Verb {
     View {
         #[arg(help = VIEWED, value_hint = ValueHint::FilePath)]
         file: PathBuf,
-        /// Port of the address [default: any free one]
-        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-        port: Option<u16>,
-        /// Only print the address
-        #[arg(long)]
-        no_browser: bool,
-        /// Playground in a single file, in place of the one in this program
-        #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-        page: Option<PathBuf>,
+        #[command(flatten)]
+        options: ViewOptions,
         /// Name of the system in a file with several, or its number
         #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
         entry: Option<String>,
@@ -221,26 +213,8 @@ pub(crate) enum Verb {
         /// The string, or a file with it, or a picture; - for standard input
         #[arg(allow_hyphen_values = true, value_hint = ValueHint::FilePath)]
         text: String,
-        #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
-        axiom: Option<String>,
-        /// Derivation steps, 1 to 30
-        #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
-        iterations: Option<u32>,
-        /// Symbols without rules, for strings
-        #[arg(long, default_value = "+-[]", allow_hyphen_values = true)]
-        constants: String,
-        /// Degrees of a turn, for pictures
-        #[arg(long, value_name = "DEGREES")]
-        angle: Option<f64>,
-        /// First heading in degrees, counter-clockwise from the right, for pictures
-        #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
-        heading: Option<f64>,
-        /// Letters that draw, for pictures
-        #[arg(long, value_name = "LETTERS")]
-        draws: Option<String>,
-        /// Seconds to search [default: counted work, equal on every machine]
-        #[arg(long, value_name = "S")]
-        seconds: Option<u32>,
+        #[command(flatten)]
+        known: Known,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -321,358 +295,15 @@ pub(crate) enum Verb {
     },
 }
 
-/// The formats of `lsys info --growth`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum GrowthFormat {
-    Text,
-    Csv,
-    Latex,
-    Json,
-}
-
-/// The options that change a file's system or the memory limit.
-#[derive(Args, Clone, Debug, Default, PartialEq)]
-pub(crate) struct Changes {
-    /// Derivation steps, 0 to 1000, in place of the file's
-    #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true)]
-    #[arg(value_parser = |text: &str| whole(text, MAX_ITERATIONS))]
-    pub(crate) iterations: Option<u32>,
-    /// Seed of random choices, 0 to 4294967295, in place of the file's
-    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| whole(text, u32::MAX))]
-    pub(crate) seed: Option<u32>,
-    /// Set any other value of the file by its name; may be repeated
-    ///
-    /// Examples: --set angle_deg=22.5 --set colour_by=path --set 'palette=["gold","teal"]'
-    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true, value_parser = setting)]
-    pub(crate) settings: Vec<(String, String)>,
-    /// Name of the system in a file with several, or its number
-    #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
-    pub(crate) entry: Option<String>,
-    /// Memory limit for drawings, such as 512M or 2G [default: 1G]
-    ///
-    /// Files that are drawn at the same time share the limit, and so the limits of strings and segments.
-    /// A file that needs more than its share is drawn once more, alone, with the whole limit.
-    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, and about
-    /// 150 MB per core for PNG of any size.
-    #[arg(long, value_name = "SIZE", value_parser = memory::parse, verbatim_doc_comment)]
-    pub(crate) memory: Option<u64>,
-}
-
-/// The options for the output of a drawing.
-#[derive(Args, Clone, Debug, Default, PartialEq)]
-pub(crate) struct Look {
-    /// Output format
-    #[arg(long, value_parser = formats())]
-    pub(crate) format: Option<&'static Format>,
-    /// Write a small SVG that defines each block once and places copies
-    #[arg(long)]
-    pub(crate) compact: bool,
-    /// Magnify a picture of pixels in the plane: 1 shows the whole drawing
-    #[arg(long, value_name = "TIMES", value_parser = magnification)]
-    pub(crate) zoom: Option<f64>,
-    /// Put the start of segment N (from 1) into the middle of the picture: then TIMES may be 1e301
-    #[arg(long, value_name = "N", value_parser = segment)]
-    pub(crate) segment: Option<Origin>,
-    #[command(flatten)]
-    pub(crate) flags: FileFlags,
-}
-
-impl Look {
-    /// The view of pictures of pixels.
-    pub(crate) fn view(&self) -> FileView {
-        FileView {
-            view: View { zoom: self.zoom.unwrap_or(1.0), ..View::default() },
-            segment: self.segment.clone(),
-            ..FileView::default()
-        }
-    }
-}
-
-/// A magnification as `--zoom` reads it.
-fn magnification(text: &str) -> Result<f64, String> {
-    let zoom = decimal::read(text).filter(|zoom| (1e-2..=MAX_ZOOM).contains(zoom));
-    zoom.ok_or_else(|| say!("a number from 0.01 to 1e301 is expected"))
-}
-
-/// A place on a segment, from the segment's number from 1.
-fn segment(text: &str) -> Result<Origin, String> {
-    Origin::read(text).ok_or_else(|| say!("expected a number of a segment, from 1"))
-}
-
-/// The options of an exhibition.
-#[derive(Args, Clone, Debug, Default, PartialEq)]
-pub(crate) struct ExhibitOptions {
-    /// Heading of the page
-    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
-    pub(crate) title: String,
-    /// Show the titles of the systems, not numbers
-    #[arg(long)]
-    pub(crate) names: bool,
-    /// Order by votes: a file with lines such as koch,12 [default: order of the files]
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub(crate) votes: Option<PathBuf>,
-    /// Order by chance, 0 to 4294967295: the same for the same seed
-    #[arg(long, conflicts_with = "votes", value_parser = |text: &str| whole(text, u32::MAX))]
-    pub(crate) seed: Option<u32>,
-    /// Address of the playground, to which the drawings are linked
-    #[arg(long, value_name = "ADDRESS")]
-    pub(crate) page: Option<String>,
-}
-
-/// The options of a package for learning systems.
-#[derive(Args, Clone, Debug, PartialEq)]
-pub(crate) struct ScormOptions {
-    /// Package the lesson in twelve steps
-    #[arg(long)]
-    pub(crate) lesson: bool,
-    /// SCORM 1.2 or 2004 (3rd edition)
-    #[arg(long, value_name = "VERSION", default_value = "1.2", value_parser = standards())]
-    pub(crate) standard: ScormStandard,
-    /// Title in the learning system [default: that of the exercise or of the lesson]
-    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
-    pub(crate) title: String,
-    /// Folder of the built site, for its exercise.html and package.html [default: those in this program]
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub(crate) pages: Option<PathBuf>,
-}
-
-/// The options of a pyramid.
-#[derive(Args, Clone, Copy, Debug, PartialEq)]
-pub(crate) struct TileOptions {
-    /// First and last level, 0 to 60: level L has up to 4^L tiles
-    #[arg(long, value_name = "A..B", default_value = "0..5")]
-    pub(crate) levels: Levels,
-    /// Names of the tiles: NAME_files/LEVEL/X_Y.png for Deep Zoom, LEVEL/X/Y.png for maps
-    #[arg(long, default_value = "deepzoom")]
-    pub(crate) scheme: Scheme,
-    /// Pixels along the side of a tile: 256 or 512
-    #[arg(long, value_name = "N", default_value = "256", value_parser = tile_size)]
-    pub(crate) size: u32,
-    /// Make only part K (0-based) of N equal parts
-    #[arg(long, value_name = "K/N", default_value = "0/1")]
-    pub(crate) part: Part,
-    /// Make only the tiles above and below this one, for levels too deep to make all of them
-    #[arg(long, value_name = "LEVEL/X/Y", default_value = "0/0/0")]
-    pub(crate) under: Under,
-    /// Threads, at most one for each core [default: one for each core]
-    #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<NonZero<u16>>,
-    /// Leave out the background
-    #[arg(long)]
-    pub(crate) transparent: bool,
-}
-
-/// The first and the last level of a pyramid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Levels(pub(crate) u32, pub(crate) u32);
-
-impl FromStr for Levels {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let levels = text.split_once("..").and_then(|(from, to)| Some(Self(from.parse().ok()?, to.parse().ok()?)));
-        let is_possible = |levels: &Self| levels.0 <= levels.1 && levels.1 <= TilePlace::MAX_LEVEL;
-        levels.filter(is_possible).ok_or_else(|| say!("expected levels such as 0..8, at most {}", TilePlace::MAX_LEVEL))
-    }
-}
-
-/// The names of a pyramid's files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Scheme {
-    Deepzoom,
-    Xyz,
-}
-
-impl Scheme {
-    pub(crate) fn name(self) -> &'static str {
+impl Verb {
+    /// Whether the output is for programs: JSON or a table.
+    pub(crate) fn is_for_programs(&self) -> bool {
         match self {
-            Self::Deepzoom => "deepzoom",
-            Self::Xyz => "xyz",
+            Self::Info { json: true, .. }
+            | Self::Find { json: true, .. }
+            | Self::Mark { csv: true, html: None, .. } => true,
+            Self::Info { growth: Some(format), .. } => !matches!(format, GrowthFormat::Text),
+            _ => false,
         }
     }
-}
-
-/// A part of a pyramid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Part(pub(crate) Share);
-
-impl FromStr for Part {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let share = text.split_once('/').and_then(|(part, of)| Share::new(part.parse().ok()?, of.parse().ok()?));
-        share.map(Self).ok_or_else(|| say!("expected a part such as 0/4, the first of four"))
-    }
-}
-
-/// The tile that all tiles to make are above or below.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Under(pub(crate) TilePlace);
-
-impl FromStr for Under {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let mut parts = text.split('/').map(str::parse::<u64>);
-        let mut next = || parts.next()?.ok();
-        let tile = (|| TilePlace::new(next()?.try_into().ok()?, next()?, next()?))();
-        tile.filter(|_| parts.next().is_none()).map(Self).ok_or_else(|| {
-            say!("expected a tile such as 3/0/7: the level, at most {}, the column and the row", TilePlace::MAX_LEVEL)
-        })
-    }
-}
-
-fn tile_size(text: &str) -> Result<u32, String> {
-    let size = text.parse().ok().filter(|size| matches!(size, 256 | 512));
-    size.ok_or_else(|| say!("expected 256 or 512"))
-}
-
-/// The options of a film.
-#[derive(Args, Clone, Debug, Default, PartialEq)]
-pub(crate) struct FilmOptions {
-    /// The film as text, as in links of the page, or a file with the text
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) film: Option<String>,
-    /// Growth from the axiom to the last generation
-    #[arg(long)]
-    pub(crate) growth: bool,
-    /// Fit each frame of growth anew; otherwise the plant grows from the ground in the frame of the last generation
-    #[arg(long)]
-    pub(crate) follow: bool,
-    /// The turtle's way, segment by segment
-    #[arg(long)]
-    pub(crate) turtle: bool,
-    /// One turn of the camera about a drawing in space
-    #[arg(long)]
-    pub(crate) turntable: bool,
-    /// Branches that sway in the wind, as a loop: by the system's `sway`, or else by 3 degrees
-    #[arg(long)]
-    pub(crate) sway: bool,
-    /// A dive from the whole drawing to a segment, by its number from 1 [default: the one in the middle]
-    #[arg(long, value_name = "SEGMENT", num_args = 0..=1, require_equals = true, default_missing_value = "")]
-    pub(crate) dive: Option<Dive>,
-    /// A number that changes: its values at times in seconds, such as angle=0:20,5:30; may be repeated
-    ///
-    /// NAME is n, drawn, view, camera, a key of links such as angle, seed or hue, or a constant such as
-    /// rules.r. A value may be followed by the pace to the next one: 0:20~smooth.
-    #[arg(long, value_name = "NAME=KEYS", verbatim_doc_comment)]
-    pub(crate) track: Vec<String>,
-    /// Length in seconds [default: 10]
-    #[arg(long, value_name = "S")]
-    pub(crate) seconds: Option<f64>,
-    /// Frames a second, 1 to 60 [default: 25]
-    #[arg(long, value_name = "N")]
-    pub(crate) fps: Option<u32>,
-    /// Size in pixels [default: 1280x720]
-    #[arg(long, value_name = "WxH")]
-    pub(crate) size: Option<PictureSize>,
-    /// What follows the end: once, repeat or bounce [default: repeat]
-    #[arg(long = "loop", value_name = "LOOP")]
-    pub(crate) ending: Option<EndingName>,
-    /// Pace between the keys: linear, smooth, in, out or hold [default: linear]
-    #[arg(long, value_name = "PACE")]
-    pub(crate) easing: Option<EasingName>,
-    /// Format [default: gif for OUT.gif, y4m for -, png for a folder]
-    #[arg(long)]
-    pub(crate) format: Option<FilmFormat>,
-}
-
-/// The formats of films.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum FilmFormat {
-    /// Animated GIF
-    Gif,
-    /// Numbered pictures in a folder, or one after the other on standard output
-    Png,
-    /// YUV4MPEG2 with full colour, on standard output
-    Y4m,
-    /// Raw pixels, four bytes each, on standard output
-    Rgba,
-}
-
-/// The segment at the end of a dive, from 1; `None` for the one in the middle.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Dive(pub(crate) Option<Fixed>);
-
-impl FromStr for Dive {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text.is_empty() {
-            return Ok(Self(None));
-        }
-        segment(text).map(|origin| Self(Some(origin.segment)))
-    }
-}
-
-/// An [`Ending`] by its name.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct EndingName(pub(crate) Ending);
-
-impl FromStr for EndingName {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Ending::named(text).map(Self).ok_or_else(|| say!("expected one of {}", Ending::NAMES.join(", ")))
-    }
-}
-
-/// An [`Easing`] by its name.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct EasingName(pub(crate) Easing);
-
-impl FromStr for EasingName {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Easing::named(text).map(Self).ok_or_else(|| say!("expected one of {}", Easing::NAMES.join(", ")))
-    }
-}
-
-/// A parser for the names of [`FORMATS`].
-fn formats() -> impl TypedValueParser<Value = &'static Format> {
-    let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(said(format.help)));
-    PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
-}
-
-/// A parser for the names of [`ScormStandard::ALL`].
-fn standards() -> impl TypedValueParser<Value = ScormStandard> {
-    let names = PossibleValuesParser::new(ScormStandard::ALL.map(ScormStandard::name));
-    names.try_map(|name| ScormStandard::named(&name).ok_or("there is no such standard"))
-}
-
-fn notations() -> impl TypedValueParser<Value = &'static Notation> {
-    let values = NOTATIONS.iter().map(|notation| PossibleValue::new(notation.name).help(said(notation.help)));
-    PossibleValuesParser::new(values).try_map(|name| Notation::named(&name).ok_or("there is no such notation"))
-}
-
-/// The size of a picture, in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PictureSize {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-}
-
-impl FromStr for PictureSize {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
-        let (width, height) = sides.ok_or_else(|| say!("expected a width and a height such as 1600x1200"))?;
-        let sides = 1..=MAX_PICTURE_SIDE;
-        if !sides.contains(&width) || !sides.contains(&height) {
-            return Err(say!("expected 1 to {} pixels each way", MAX_PICTURE_SIDE));
-        }
-        Ok(Self { width, height })
-    }
-}
-
-fn whole(text: &str, most: u32) -> Result<u32, String> {
-    let number = text.parse().ok().filter(|&number| number <= most);
-    number.ok_or_else(|| say!("expected a whole number from 0 to {}", most))
-}
-
-fn setting(text: &str) -> Result<(String, String), String> {
-    let (name, value) = text.split_once('=').ok_or_else(|| say!("expected a name and a value such as angle_deg=30"))?;
-    Ok((name.to_owned(), value.to_owned()))
 }

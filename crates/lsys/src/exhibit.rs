@@ -36,7 +36,7 @@ struct Exhibit {
 /// [`CommandFailure::Words`] if a folder or the votes cannot be read, or the page cannot be written.
 pub(crate) fn exhibit(files: &[PathBuf], to: &Path, options: &ExhibitOptions) -> Result<(), CommandFailure> {
     let votes = options.votes.as_deref().map(votes_in).transpose()?;
-    let files = all_files(files)?;
+    let files = all_files(files, to)?;
     let draw_one = |file: &PathBuf, limits: &cores::SharedLimits, say: cores::Say<'_>| {
         let input = input::read(file, &Changes::default(), say)?;
         let picture = limits.make(|shares| draw::picture(&input, SIZE, shares, say))?;
@@ -62,8 +62,9 @@ pub(crate) fn exhibit(files: &[PathBuf], to: &Path, options: &ExhibitOptions) ->
     if is_whole { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
-/// The files, with those in folders in the order of their names.
-fn all_files(words: &[PathBuf]) -> Result<Vec<PathBuf>, CommandFailure> {
+/// The files, with those in folders in the order of their names, but for the page of an earlier run.
+fn all_files(words: &[PathBuf], page: &Path) -> Result<Vec<PathBuf>, CommandFailure> {
+    let page = page.canonicalize().ok();
     let mut all = Vec::new();
     for word in words {
         if !word.is_dir() {
@@ -73,7 +74,7 @@ fn all_files(words: &[PathBuf]) -> Result<Vec<PathBuf>, CommandFailure> {
         let failed = |error: std::io::Error| CommandFailure::io(word.display(), &error);
         let entries = std::fs::read_dir(word).map_err(failed)?;
         let mut inside = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(failed)?;
-        inside.retain(|path| path.is_file());
+        inside.retain(|path| path.is_file() && (page.is_none() || path.canonicalize().ok() != page));
         inside.sort();
         all.extend(inside);
     }

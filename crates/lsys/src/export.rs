@@ -2,7 +2,8 @@
 
 use crate::cli::Changes;
 use crate::{CommandFailure, input, print, say};
-use lsystem::import::write::{Notation, export as written};
+use lsystem::base::words::said;
+use lsystem::import::write::{NOTATIONS, Notation, export as written};
 use lsystem::syntax::visible;
 use std::path::Path;
 
@@ -19,4 +20,11 @@ pub(crate) fn export(file: &Path, notation: &Notation, changes: &Changes) -> Res
         say(&format!("{}\n", visible(&say!("warning: {}", format!("{name}: {sentence}")))));
     }
     print(|out| out.write_all(written.text.as_bytes()))
+}
+
+/// Prints the names of the notations.
+pub(crate) fn list() -> Result<(), CommandFailure> {
+    let width = NOTATIONS.iter().map(|notation| notation.name.len()).max().unwrap_or_default();
+    let line = |notation: &Notation| format!("{:width$}  {}\n", notation.name, said(notation.help));
+    print(|out| out.write_all(NOTATIONS.iter().map(line).collect::<String>().as_bytes()))
 }

@@ -4,18 +4,21 @@ mod gallery;
 mod picture;
 mod pixels;
 
+use crate::cli::whole;
 use crate::{CommandFailure, input, print};
+use clap::Args;
 use lsystem::base::counted;
 use lsystem::base::say;
 use lsystem::base::words::said;
 use lsystem::course::MAX_OUTPUT;
-use lsystem::find::{Found, Search, Searched, is_svg};
+use lsystem::find::{Found, Search, Searched};
+use lsystem::svg::is_svg;
 use serde::Serialize;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// The most symbols of all successors.
-const MOST: usize = 60;
+const MAX: usize = 60;
 /// The symbols of work of all searches: 10 to 20 s on a laptop, as on the page.
 const WORK: usize = 1 << 28;
 /// The symbols of work before the first look at the clock, and between two.
@@ -29,8 +32,8 @@ const MAX_LISTED: usize = 10;
 
 /// The result as JSON.
 #[derive(Serialize)]
-struct Answer {
-    candidates: Vec<Candidate>,
+struct Answer<C> {
+    candidates: Vec<C>,
     searched: String,
 }
 
@@ -43,18 +46,27 @@ struct Candidate {
 }
 
 /// The known properties of the system.
-#[derive(Debug, PartialEq)]
+#[derive(Args, Clone, Debug, PartialEq)]
 pub(crate) struct Known {
+    #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
     pub(crate) axiom: Option<String>,
-    pub(crate) n: Option<u32>,
+    /// Derivation steps, 1 to 30
+    #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
+    pub(crate) iterations: Option<u32>,
+    /// Symbols without rules, for strings
+    #[arg(long, default_value = "+-[]", allow_hyphen_values = true)]
     pub(crate) constants: String,
-    /// In degrees.
+    /// Degrees of a turn, for pictures
+    #[arg(long, value_name = "DEGREES")]
     pub(crate) angle: Option<f64>,
-    /// In degrees, counter-clockwise from the right.
+    /// First heading in degrees, counter-clockwise from the right, for pictures
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     pub(crate) heading: Option<f64>,
-    /// The letters that draw.
+    /// Letters that draw, for pictures
+    #[arg(long, value_name = "LETTERS")]
     pub(crate) draws: Option<String>,
-    /// The time of a search; without one, its work is counted.
+    /// Seconds to search [default: counted work, equal on every machine]
+    #[arg(long, value_name = "S")]
     pub(crate) seconds: Option<u32>,
 }
 
@@ -105,11 +117,11 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
     if axioms.is_empty() {
         return Err(CommandFailure::Words(say!("a string with letters is expected, or --axiom")));
     }
-    let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
+    let steps = known.iterations.map_or(STEPS.to_vec(), |n| vec![n]);
     let (end, mut work, mut searches) = (known.end(), WORK, axioms.len() * steps.len());
     let (mut found, mut searched): (Vec<(&str, Found)>, Vec<String>) = (Vec::new(), Vec::new());
     for (axiom, &n) in axioms.iter().flat_map(|axiom| steps.iter().map(move |n| (axiom, n))) {
-        let search = Search::new(axiom, text, n, &known.constants, MOST);
+        let search = Search::new(axiom, text, n, &known.constants, MAX);
         let mut search = search.map_err(|why| CommandFailure::Words(said(why)))?;
         // All searches that are left share the work and the time that are left.
         let end = end.map(|end| {

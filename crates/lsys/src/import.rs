@@ -131,7 +131,7 @@ fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
     // Other notations begin with a brace too, so only JSON that has parts of a system is reported as wrong.
     let is_json = definition.is_some() || bytes.windows(9).any(|part| part == b"\"initial\"");
     if let Some(definition) = &definition {
-        diagnostics.extend(System::new(definition).1);
+        diagnostics.extend(System::problems(definition));
     }
     match (definition, diagnostics.iter().find(|diagnostic| diagnostic.is_error())) {
         (Some(definition), None) => Ok(vec![Entry {
@@ -139,7 +139,7 @@ fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
             definition: Some(definition),
             remarks: Vec::<Remark>::new(),
         }]),
-        (_, Some(error)) if is_json => Err(error.message()),
+        (_, Some(error)) if is_json => Err(error.message.clone()),
         _ if bytes.len() > MAX_TEXT => Err(say!("longer than {} KiB, which is not read", MAX_TEXT >> 10)),
         _ => Err(say!("no L-system in a known notation")),
     }

@@ -9,7 +9,7 @@ use lsystem::base::{say, word};
 use lsystem::derive::Tally;
 use lsystem::drawing::why_empty;
 use lsystem::syntax::visible;
-use lsystem::{Diagnostic, Figure, Progress, count_segments, count_symbols};
+use lsystem::{Figure, Progress, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -100,7 +100,7 @@ fn facts(input: &InputSystem, shares: u64) -> FileFacts {
             .filter(|b| b.iter().all(|x| x.is_finite())),
         memoised: drawn.map(Figure::is_memoised),
         blocks: drawn.map(Figure::block_count),
-        limit: limit.map(Diagnostic::message),
+        limit: limit.map(|limit| limit.message.clone()),
     }
 }
 

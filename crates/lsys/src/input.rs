@@ -67,9 +67,7 @@ pub(crate) fn system_in(
                 CommandFailure::Said
             })?;
         }
-        let (made, more) = System::new(definition);
-        system = made;
-        diagnostics.extend(more);
+        system = System::read(definition, &mut diagnostics);
     }
     for diagnostic in &diagnostics {
         say(&message(diagnostic, &json, definition.as_ref(), &name));
@@ -122,12 +120,12 @@ fn content(bytes: &[u8], name: &str, entry: Option<&str>, say: Say<'_>) -> Resul
 
 /// The names of the systems in a file, with their numbers where they have no names.
 fn names(entries: &[Entry]) -> String {
-    const MOST: usize = 200;
-    let named = entries.iter().enumerate().take(MOST).map(|(at, entry)| match entry.name.as_str() {
+    const MAX: usize = 200;
+    let named = entries.iter().enumerate().take(MAX).map(|(at, entry)| match entry.name.as_str() {
         "" => (at + 1).to_string(),
         name => name.to_owned(),
     });
-    let more = if entries.len() > MOST { ", ..." } else { "" };
+    let more = if entries.len() > MAX { ", ..." } else { "" };
     format!("{}{more}", named.collect::<Vec<_>>().join(", "))
 }
 
@@ -205,15 +203,18 @@ pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
     beginning(open(file)?, TEXT)
 }
 
-/// As [`bytes_of`], for a file that this command may replace.
+/// As [`bytes_of`], with the length of the file, for a file that this command may replace.
 ///
 /// # Errors
 /// Errors of the file system; an error if this is no file, since reading a pipe would wait.
-pub(crate) fn bytes_to_follow(file: &Path) -> io::Result<Vec<u8>> {
-    match file.metadata()?.is_file() {
-        true => beginning(File::open(file)?, TEXT),
-        false => Err(io::Error::other(say!("this is not a file"))),
+pub(crate) fn to_follow(file: &Path) -> io::Result<(Vec<u8>, u64)> {
+    if !file.metadata()?.is_file() {
+        return Err(io::Error::other(say!("this is not a file")));
     }
+    let file = File::open(file)?;
+    let bytes = beginning(&file, TEXT)?;
+    let length = file.metadata()?.len().max(bytes.len() as u64);
+    Ok((bytes, length))
 }
 
 /// The text in a file.

@@ -1,6 +1,5 @@
 //! The language of messages and help: that of `--language`, or else that of the environment, or else English.
-//!
-//! `lang/` has a catalogue for each language, a copy of the page's.
+//! The catalogues are those of the page.
 
 use lsystem::base::words::set_reader;
 use lsystem::course::PageWords;

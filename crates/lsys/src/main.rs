@@ -34,8 +34,8 @@ mod tiles;
 mod usage;
 mod view;
 
-use args::Command;
-use cli::Changes;
+use args::Stop;
+use cli::{Changes, Verb};
 use lsystem::base::{say, word};
 use lsystem::derive::Word;
 use lsystem::syntax::visible;
@@ -88,17 +88,14 @@ fn main() -> ExitCode {
     pending::fail_on_large_files();
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
     language::choose(&arguments);
-    let command = match args::parse(arguments) {
-        Ok(command) => command,
-        Err(words) => {
+    let done = match args::parse(arguments) {
+        Ok(verb) => run(verb),
+        Err(Stop::Print(text)) => print(|out| out.write_all(text.as_bytes())),
+        Err(Stop::Wrong(words)) => {
             say(&visible_lines(&words));
             return ExitCode::from(2);
         }
     };
-    if command.is_for_programs() {
-        language::stay_english();
-    }
-    let done = run(command);
     pending::remove_all();
     match done.map_err(CommandFailure::tell) {
         // The reader has closed the pipe, which is no failure.
@@ -107,28 +104,42 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(command: Command) -> Result<(), CommandFailure> {
-    match command {
-        Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
-        Command::View { file, options, changes } => view::view(&file, &options, &changes),
-        Command::Link { file, page, changes } => link::link(&file, page.as_deref(), &changes),
-        Command::Shape { file } => shape::shape(&file),
-        Command::Expand { file, changes } => expand(&file, &changes),
-        Command::Draw { jobs, folder, look, changes } => draw::draw(&jobs, folder.as_deref(), &look, &changes),
-        Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),
-        Command::Animate { file, to, film, changes } => animate::animate(&file, &to, &film, &changes),
-        Command::Import { files, to } => import::import(&files, &to),
-        Command::Account { files } => account::account(&files),
-        Command::Export { file, notation, changes } => export::export(&file, notation, &changes),
-        Command::Check { file, output, changes } => check::check(&file, &output, &changes),
-        Command::Find { text, known, json } => find::find(&text, &known, json),
-        Command::Surprise { seed } => invent::print_surprise(seed),
-        Command::Breed { files, to, seed, count } => invent::breed_into(&files, seed, count, &to),
-        Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
-        Command::Exhibit { files, to, options } => exhibit::exhibit(&files, &to, &options),
-        Command::Scorm { exercises, to, options } => scorm::package(&exercises, &to, &options),
-        Command::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
-        Command::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),
+fn run(verb: Verb) -> Result<(), CommandFailure> {
+    if verb.is_for_programs() {
+        language::stay_english();
+    }
+    match verb {
+        Verb::View { file, options, entry } => view::view(&file, &options, &Changes { entry, ..Changes::default() }),
+        Verb::Link { file, page, changes } => link::link(&file, page.as_deref(), &changes),
+        Verb::Shape { file } => shape::shape(&file),
+        Verb::Expand { file, changes } => expand(&file, &changes),
+        Verb::Draw { files, out_dir, look, changes } => {
+            let jobs = args::jobs(&files, out_dir.as_deref(), &look).map_err(CommandFailure::Words)?;
+            draw::draw(&jobs, out_dir.as_deref(), &look, &changes)
+        }
+        Verb::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),
+        Verb::Animate { file, to, film, changes } => animate::animate(&file, &to, &film, &changes),
+        Verb::Import { files, to: Some(to), .. } => import::import(&files, &to),
+        Verb::Import { files, .. } => account::account(&files),
+        Verb::Export { file: Some(file), notation: Some(notation), list: false, changes } => {
+            export::export(&file, notation, &changes)
+        }
+        Verb::Export { .. } => export::list(),
+        Verb::Check { file, output, changes } => check::check(&file, &output, &changes),
+        Verb::Find { text, known, json } => find::find(&text, &known, json),
+        Verb::Surprise { seed } => invent::print_surprise(seed),
+        Verb::Breed { files, to, seed, count } => invent::breed_into(&files, seed, count, &to),
+        Verb::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
+        Verb::Exhibit { files, to, options } => exhibit::exhibit(&files, &to, &options),
+        Verb::Scorm { exercises, to, options } => scorm::package(&exercises, &to, &options),
+        Verb::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
+        Verb::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),
+        Verb::Completions { shell } => {
+            // The generator panics where it cannot write.
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut help::command(), "lsys", &mut script);
+            print(|out| out.write_all(&script))
+        }
     }
 }
 

@@ -6,10 +6,11 @@
 
 use crate::input;
 use lsystem::base::say;
-use std::fs::{self, File, Permissions};
+use std::fs::{self, File, Metadata, Permissions, TryLockError};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// The beginning of the names of scratch folders.
 const PREFIX: &str = ".lsys-";
@@ -95,6 +96,42 @@ impl Pending {
         fs::rename(&self.temporary, &self.path)
     }
 
+    /// Gives the file its name in place of a file for which `is_known` holds, or of none. What another program puts there
+    /// until then stays. Returns whether the file got its name.
+    ///
+    /// # Errors
+    /// As [`Pending::write`].
+    pub(crate) fn replace(self, is_known: impl Fn(&Path) -> bool) -> io::Result<bool> {
+        let former = replaceable(&self.path)?;
+        if !is_known(&self.path) {
+            return Ok(false);
+        }
+        if former.is_none() {
+            return match self.commit_new() {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Ok(false),
+                done => done.map(|()| true),
+            };
+        }
+        let _all = scratch();
+        let own = fs::metadata(&self.temporary)?;
+        match exchange(&self.temporary, &self.path) {
+            Ok(()) if is_known(&self.temporary) => Ok(true),
+            Ok(()) => {
+                // Back again, until the own file comes out: others may go on.
+                for _ in 0..10 {
+                    exchange(&self.temporary, &self.path)?;
+                    if is_same(&fs::metadata(&self.temporary)?, &own) {
+                        break;
+                    }
+                }
+                Ok(false)
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+            // Without exchanges, a change in this instant is lost.
+            Err(_) => fs::rename(&self.temporary, &self.path).map(|()| true),
+        }
+    }
+
     /// Gives the file its name if no file has it.
     ///
     /// # Errors
@@ -116,6 +153,75 @@ impl Drop for Pending {
         let _all = scratch();
         let _ = fs::remove_file(&self.temporary);
     }
+}
+
+/// Lets two files have each other's name, at once.
+#[cfg(any(target_os = "linux", target_vendor = "apple"))]
+fn exchange(one: &Path, other: &Path) -> io::Result<()> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    Ok(renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE)?)
+}
+
+#[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
+fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+/// Keeps a file under another name beside it, `NAME.before-1`, or the next number that is free. Returns the path.
+///
+/// # Errors
+/// Errors of the file system.
+pub(crate) fn keep_beside(path: &Path) -> io::Result<PathBuf> {
+    let mut number = 1_u32;
+    loop {
+        let copy = with_extension(path, &format!("before-{number}"));
+        let linked = fs::hard_link(path, &copy).or_else(|error| match error.kind() {
+            io::ErrorKind::AlreadyExists => Err(error),
+            // Some file systems have no links.
+            _ => {
+                File::create_new(&copy)?;
+                fs::copy(path, &copy).map(|_| ()).inspect_err(|_| drop(fs::remove_file(&copy)))
+            }
+        });
+        match linked {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+            linked => return linked.map(|()| copy),
+        }
+    }
+}
+
+/// The turn of a program that reads a file and then replaces it: other programs `lsys` wait. Nobody waits without end,
+/// and on systems where a lock would keep the program itself from reading there are no turns.
+pub(crate) struct Turn(#[expect(dead_code, reason = "the lock ends with it")] Option<File>);
+
+impl Turn {
+    pub(crate) fn at(path: &Path) -> Self {
+        const PAUSE: Duration = Duration::from_millis(10);
+        const TRIES: u32 = 500;
+        for _ in 0..if cfg!(unix) { TRIES } else { 0 } {
+            let Ok(file) = File::open(path).and_then(|file| Ok((file.metadata()?, file))) else { break };
+            match file.1.try_lock() {
+                // The file may have been replaced in the meantime.
+                Ok(()) if fs::metadata(path).is_ok_and(|now| is_same(&now, &file.0)) => return Self(Some(file.1)),
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
+                Err(TryLockError::Error(_)) => break,
+            }
+        }
+        Self(None)
+    }
+}
+
+/// Whether this is the same file, under whatever name.
+#[cfg(unix)]
+fn is_same(one: &Metadata, other: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+#[cfg(not(unix))]
+fn is_same(_: &Metadata, _: &Metadata) -> bool {
+    true
 }
 
 /// Checks that a file may get this name. Returns the permissions of the file that it replaces.
@@ -206,7 +312,7 @@ pub(crate) fn remove_dead(parent: &Path) {
 /// The lock of a scratch folder whose program has ended.
 fn dead_lock(path: &Path) -> Option<File> {
     // Opening a pipe would wait.
-    fs::symlink_metadata(path).ok().filter(fs::Metadata::is_file)?;
+    fs::symlink_metadata(path).ok().filter(Metadata::is_file)?;
     let lock = File::open(path).ok()?;
     lock.try_lock().ok()?;
     let mut mark = Vec::new();
@@ -299,51 +405,4 @@ pub(crate) fn with_extension(base: &Path, extension: &str) -> PathBuf {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn names(folder: &Path) -> Vec<String> {
-        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-        let mut names: Vec<_> = entries.collect();
-        names.sort();
-        names
-    }
-
-    #[test]
-    fn only_dead_folders_with_the_mark_are_removed() {
-        let root = tempfile::tempdir().unwrap();
-        let put = |folder: &str, files: &[(&str, &[u8])]| {
-            let folder = root.path().join(folder);
-            fs::create_dir(&folder).unwrap();
-            files.iter().for_each(|(name, bytes)| fs::write(folder.join(name), bytes).unwrap());
-        };
-        put(".lsys-notes", &[("thesis.txt", b"work")]);
-        put(".lsys-empty", &[]);
-        put(".lsys-lock", &[("lock", b""), ("1", b"")]);
-        put(".lsys-copied", &[("lock", MARK), ("1", b"half"), ("thesis.txt", b"work")]);
-        put("marked", &[("lock", MARK)]);
-        put(".lsys-dead", &[("lock", MARK), ("1", b"half")]);
-        let living = Folder::new(root.path()).unwrap();
-        let live = living.path.file_name().unwrap().to_str().unwrap().to_owned();
-        remove_dead(root.path());
-        let mut expected = vec![&live[..], ".lsys-copied", ".lsys-empty", ".lsys-lock", ".lsys-notes", "marked"];
-        expected.sort_unstable();
-        assert_eq!(names(root.path()), expected);
-        assert_eq!(names(&root.path().join(".lsys-copied")), ["1", "lock", "thesis.txt"]);
-        remove(&living.path);
-        assert!(!living.path.exists());
-    }
-
-    #[test]
-    fn a_new_file_replaces_none() {
-        let root = tempfile::tempdir().unwrap();
-        let path = root.path().join("a");
-        let pending = |text: &[u8]| Pending::write(&path, |out| out.write_all(text)).unwrap();
-        let (first, second) = (pending(b"1"), pending(b"2"));
-        first.commit_new().unwrap();
-        assert_eq!(second.commit_new().unwrap_err().kind(), io::ErrorKind::AlreadyExists);
-        assert_eq!(fs::read(&path).unwrap(), b"1");
-        pending(b"3").commit().unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"3");
-    }
-}
+mod tests;

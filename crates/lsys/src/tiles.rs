@@ -90,9 +90,9 @@ impl Maker<'_> {
     /// Makes all tiles, level after level, on all cores or as many as asked for. Stops at the first error.
     fn make(&self) -> Result<Tally, CommandFailure> {
         let options = self.layout.options;
-        let share = options.part.0;
+        let share = options.part;
         let small = self.layout.small().filter(|_| share.has(TilePlace::WHOLE)).map(Work::Small);
-        let level = |level| self.pyramid.tiles(level, options.under.0, |tile| share.leads_on(tile));
+        let level = |level| self.pyramid.tiles(level, options.under, |tile| share.leads_on(tile));
         let tiles = (options.levels.0..=options.levels.1).flat_map(level).filter(|tile| share.has(*tile));
         let queue = Mutex::new(small.chain(tiles.map(Work::Tile)));
         let progress = Mutex::new((Tally::default(), DelayedBar::new(word!("tiles"), None)));

@@ -1,33 +1,20 @@
 //! `lsys FILE`: the playground with the file's system, in the browser. The page follows the file, and can save into it.
 
 mod followed;
-mod rewrite;
 mod server;
 
-use crate::cli::Changes;
+use crate::cli::{Changes, ViewOptions};
 use crate::{CommandFailure, language, pages, print, say};
 use followed::Followed;
 use notify_debouncer_mini::new_debouncer;
 use notify_debouncer_mini::notify::RecursiveMode;
 use server::Site;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
-use tiny_http::Server;
 
 /// Changes within this time are one: editors write a file in several steps.
 const PAUSE: Duration = Duration::from_millis(100);
-
-/// How the page is shown.
-#[derive(Debug, PartialEq)]
-pub(crate) struct ViewOptions {
-    /// The port; any free one if none is named.
-    pub(crate) port: Option<u16>,
-    /// The playground in a single file, in place of the one in this program.
-    pub(crate) page: Option<PathBuf>,
-    /// Whether the browser is opened.
-    pub(crate) opens: bool,
-}
 
 /// Serves the page until the program is stopped.
 ///
@@ -49,16 +36,16 @@ pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Res
     let port = listener.local_addr().map_err(|error| CommandFailure::io(say!("the server"), &error))?.port();
     let site = Site::new(&page, token()?, port, followed).map_err(words)?;
     let site = Arc::new(site);
-    let server = Server::from_listener(listener, None).map_err(|error| words(say!("the server: {}", error)))?;
     let _watch = watch(&site)?;
     let address = site.address();
     print(|out| writeln!(out, "{address}"))?;
     say(&format!("{}\n", say!("{} is shown at this address. Ctrl+C ends the program.", file.display())));
-    if options.opens && open::that_detached(&address).is_err() {
+    if !options.no_browser && open::that_detached(&address).is_err() {
         say(&format!("{}\n", say!("note: no browser was found: open the address yourself")));
     }
-    site.run(&server);
-    Ok(())
+    match site.run(listener) {
+        Err(error) => Err(words(say!("the server: {}", error))),
+    }
 }
 
 /// Reads the file again after each change, as long as the returned value lives. The folder is watched, since editors put

@@ -3,6 +3,7 @@
 mod animate;
 mod check;
 mod cli;
+mod commands;
 mod exhibit;
 mod export;
 mod find;
@@ -11,7 +12,10 @@ mod hostile;
 mod import;
 mod invent;
 mod language;
+mod limits;
+mod loops;
 mod mark;
+mod names;
 mod program;
 mod random;
 mod recipes;

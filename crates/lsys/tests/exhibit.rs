@@ -41,6 +41,13 @@ fn a_folder_becomes_a_page() {
         })
         .collect();
     assert!(orders.len() > 1, "{orders:?}");
+    // The page may lie among the drawings, and is made again.
+    for _ in 0..2 {
+        let words = ["exhibit", "class", "--to", "class/page.html"];
+        let (code, text) = printed(&mut command(folder.path(), words));
+        assert_eq!((code, text.as_str()), (Some(0), "class/page.html: 3 of 3 drawings\n"));
+    }
+    std::fs::remove_file(folder.path().join("class/page.html")).expect("removed");
     std::fs::write(folder.path().join("class/d.json"), "{").expect("written");
     let (code, text, page) = made(&[]);
     assert!(code == Some(1) && text.contains("3 of 4 drawings") && captions(&page).len() == 3, "{text}");

@@ -2,9 +2,7 @@
 
 use crate::program;
 
-use expect_test::expect_file;
 use program::root;
-use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs `lsys` in the repository's root with one variable for the language, or none.
@@ -121,18 +119,4 @@ fn help_and_errors_have_no_words_of_clap_in_other_languages() {
     assert!(error.starts_with("erreur\u{a0}: ces arguments obligatoires manquent\u{a0}:\n  --to <OUT>\n"), "{error}");
     let set = told("--language fr info data_in/abop/1.24f.json --set width=wide");
     assert!(!set.contains("Stroke width"), "{set}");
-}
-
-/// With `UPDATE_EXPECT=1` this writes the program's catalogues anew.
-#[test]
-fn the_program_carries_the_catalogues_of_the_page() {
-    let folder = root().join("www/lang");
-    let codes = lsystem_catalogue::languages(&folder).expect("a folder");
-    for code in &codes {
-        let words = std::fs::read_to_string(folder.join(code).join("words.json")).expect("words");
-        expect_file![format!("{}/lang/{code}.json", env!("CARGO_MANIFEST_DIR"))].assert_eq(&words);
-    }
-    assert!(!codes.is_empty());
-    let carried = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("lang")).expect("a folder");
-    assert_eq!(carried.count(), codes.len());
 }

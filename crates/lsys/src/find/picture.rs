@@ -1,12 +1,13 @@
 //! The rules of a picture, searched with all cores.
 
 use super::pixels::grey;
-use super::{Known, MAX_LISTED, gallery, is_over};
+use super::{Answer, Known, MAX_LISTED, gallery, is_over};
 use crate::{CommandFailure, cores, print, say};
 use lsystem::base::counted;
 use lsystem::base::words;
 use lsystem::files::{SegmentForm, read_segments};
-use lsystem::find::{Drawn, FOUND, Finder, Photograph, Picture, Question, Searched, Share, draw_svg, merged};
+use lsystem::find::{Drawn, FOUND, Finder, Photograph, Picture, Question, Searched, Share, merged};
+use lsystem::svg::draw_svg;
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -34,18 +35,11 @@ const OTHER: [&str; 11] = [
 /// all rounds before it.
 const FIRST: u64 = 1 << 16;
 /// The systems after which a search without a time ends: 2 to 20 s with two cores.
-const MOST: u64 = 1 << 22;
+const MAX: u64 = 1 << 22;
 /// The rounds after the one in which a system that is the same was found, for shorter ones; and after the one in which
 /// a system that is nearly the same was found, for one that is the same.
 const AFTER_SAME: u32 = 1;
 const AFTER_NEAR: u32 = 3;
-
-/// The result as JSON.
-#[derive(Serialize)]
-struct Answer {
-    candidates: Vec<Candidate>,
-    searched: String,
-}
 
 #[derive(Serialize)]
 struct Candidate {
@@ -91,7 +85,7 @@ pub(super) fn find_svg(name: &str, bytes: &[u8], known: &Known, json: bool) -> R
         return find_segments(name, &segments, known, json);
     }
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
-    let drawn = draw_svg(bytes).map_err(|why| said(&why))?;
+    let drawn = draw_svg(bytes).map_err(|why| said(&why.message))?;
     if !drawn.left_out.is_empty() {
         say(&format!("{}\n", say!("note: {}: left out: {}", name, drawn.left_out.join(", "))));
     }
@@ -129,7 +123,7 @@ pub(super) fn find_segments(
 fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result<(), CommandFailure> {
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let picture = Arc::new(picture);
-    let Known { axiom, angle, heading, n, draws, .. } = known;
+    let Known { axiom, angle, heading, iterations: n, draws, .. } = known;
     let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
     let cores = cores::count() as u64;
     let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
@@ -207,7 +201,7 @@ fn search(finders: &mut [Finder], end: Option<Instant>) {
                 is_more.fetch_or(go_on(finder, until, end), Ordering::Relaxed);
             }
         });
-        if !is_more.into_inner() || rounds == Some(0) || end.map_or(until >= MOST, is_over) {
+        if !is_more.into_inner() || rounds == Some(0) || end.map_or(until >= MAX, is_over) {
             return;
         }
         let granted = match () {

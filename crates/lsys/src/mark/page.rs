@@ -8,7 +8,7 @@ use lsystem::base::{say, word};
 use lsystem::course::{Exercise, Marked, SMALL, mistakes};
 
 /// The mistakes that are listed.
-const MOST_MISTAKES: usize = 8;
+const MAX_MISTAKES: usize = 8;
 /// White, agreeing ink, missing ink, ink that is too much: colours that the colour-blind can distinguish.
 const PALETTE: [u8; 12] = [255, 255, 255, 190, 190, 190, 0, 90, 181, 220, 80, 0];
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:70rem;padding:0 1rem;color:#222;\
@@ -54,7 +54,7 @@ pub(super) fn page(exercise: &Exercise, marked: &[Marked], pictures: &[Vec<u8>])
 
 /// The most frequent mistakes, if any mistake was made twice.
 fn frequent(marked: &[Marked]) -> String {
-    let frequent = mistakes(marked).into_iter().filter(|mistake| mistake.answers.len() > 1).take(MOST_MISTAKES);
+    let frequent = mistakes(marked).into_iter().filter(|mistake| mistake.answers.len() > 1).take(MAX_MISTAKES);
     let row = |mistake: lsystem::course::Mistake| {
         let example = mistake.answers.first().and_then(|number| marked.get(*number)).map_or("", |one| &one.answer.name);
         let (count, words) = (mistake.answers.len(), escaped(&mistake.words));
@@ -71,8 +71,8 @@ fn frequent(marked: &[Marked]) -> String {
 
 fn row(one: &Marked, picture: &[u8]) -> String {
     let name = escaped(&one.answer.name);
-    let is_web = |link: &&String| link.starts_with("https:") || link.starts_with("http:");
-    let name = match one.answer.link.as_ref().filter(is_web) {
+    let is_web = |link: &&str| link.starts_with("https:") || link.starts_with("http:");
+    let name = match one.answer.link().filter(is_web) {
         Some(link) => format!("<a href=\"{}\" rel=\"noreferrer\">{name}</a>", escaped(link)),
         None => name,
     };
@@ -85,15 +85,11 @@ fn row(one: &Marked, picture: &[u8]) -> String {
         true => String::new(),
         false => format!("<img alt=\"\" src=\"data:image/png;base64,{}\">", BASE64_STANDARD.encode(picture)),
     };
-    let rules = one.answer.student.as_ref().map(|student| {
-        let axiom = if student.axiom.is_empty() { String::new() } else { format!("{}\n", student.axiom) };
-        escaped(&(axiom + &student.rules))
-    });
     format!(
         "<tr><td>{name}<td>{}{solved}<td class=\"number\">{percent}<td class=\"number\">{}<td>{picture}<td><pre>{}</pre><td>{}</tr>\n",
         escaped(&one.answer.by),
         one.symbols(),
-        rules.unwrap_or_default(),
+        escaped(&one.rules),
         escaped(&one.words()),
     )
 }
@@ -103,7 +99,7 @@ pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Differences from [`Class::picture`](lsystem::course::Class::picture) as a PNG.
+/// Differences from [`ClassMarker::picture`](lsystem::course::ClassMarker::picture) as a PNG.
 pub(super) fn picture(pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, SMALL as u32, SMALL as u32);

@@ -67,12 +67,12 @@ impl Layout<'_> {
     pub(super) fn descriptions(&self) -> Vec<(PathBuf, String)> {
         let TileOptions { scheme, size, levels, under, .. } = self.options;
         let [r, g, b] = self.background;
-        let width = 1.0 / (1_u64 << under.0.level) as f64;
+        let width = 1.0 / (1_u64 << under.level) as f64;
         let configuration = json!({
             "name": self.name, "scheme": scheme.name(), "size": size, "first": levels.0, "last": levels.1.min(VIEWER_LEVELS),
             "background": format!("#{r:02x}{g:02x}{b:02x}"),
             // The part of the picture that is shown first: its left and upper side and its width.
-            "start": [under.0.x as f64 * width, under.0.y as f64 * width, width],
+            "start": [under.x as f64 * width, under.y as f64 * width, width],
             "language": language::code(),
             "words": {
                 "canvas": say!("{}. Arrow keys move, plus and minus zoom, 0 shows all.", self.name),

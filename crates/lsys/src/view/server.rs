@@ -1,21 +1,46 @@
 //! The server of the page: it answers programs of this machine that know its token, and gives and takes one file.
+//!
+//! Whoever does not know the token costs a few kilobytes for a few seconds, as connections, headers and time are limited.
 
 use super::followed::{FileState, Followed, NotSaved};
+use hyper::body::{Body, Incoming};
+use hyper::header::{HeaderName, HeaderValue};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Method, Request, Response};
+use hyper_util::rt::{TokioIo, TokioTimer};
 use lsystem::base::say;
-use std::io::{self, Read};
+use std::convert::Infallible;
+use std::future::poll_fn;
+use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::pin::Pin;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::Duration;
-use tiny_http::{Header, Method, Request, Response, Server};
+use tokio::sync::Semaphore;
+use tokio::time::{sleep, timeout};
 
 /// The longest link that is taken, in bytes: the page reads links up to 2,000,000 UTF-16 units.
 const MAX_BODY: usize = 8 << 20;
+/// The most bytes that are read of a longer link: its sender listens only after sending.
+const MAX_READ: usize = 4 * MAX_BODY;
+/// The most saves at once, as each holds a link.
+const MAX_SAVES: usize = 4;
+/// The most bytes and the most fields of a request's head. Browsers send about 1 KiB and 20 fields, and the cookies of all
+/// servers of this machine.
+const MAX_HEAD: usize = 64 << 10;
+const MAX_FIELDS: usize = 64;
+/// The most connections; more wait in the system's queue.
+const MAX_CONNECTIONS: usize = 128;
+/// The most threads that read and write the file.
+const MAX_THREADS: usize = 4;
 /// The longest time until an answer about an unchanged file, in seconds.
 const MAX_WAIT: u64 = 25;
-/// The most requests at once: a few tabs with a waiting request each.
-const MAX_REQUESTS: usize = 32;
+/// The longest time until a request's head is there, and until a connection ends.
+const HEAD_TIME: Duration = Duration::from_secs(3);
+const MAX_TIME: Duration = Duration::from_secs(120);
+/// The pause when no connection can be taken, as without free descriptors.
+const PAUSE: Duration = Duration::from_millis(100);
 
 /// The page on an address of this machine.
 pub(super) struct Site {
@@ -24,8 +49,7 @@ pub(super) struct Site {
     token: String,
     port: u16,
     file: Followed,
-    /// The number of requests in work.
-    requests: AtomicUsize,
+    saves: Semaphore,
 }
 
 /// An answer: status, type and content.
@@ -64,7 +88,7 @@ impl Site {
             return Err(say!("the page is not the playground in a single file"));
         }
         let page = page.replacen(POLICY, &format!("{POLICY}connect-src 'self'; "), 1);
-        Ok(Self { page, token, port, file, requests: AtomicUsize::new(0) })
+        Ok(Self { page, token, port, file, saves: Semaphore::new(MAX_SAVES) })
     }
 
     pub(super) fn address(&self) -> String {
@@ -76,46 +100,79 @@ impl Site {
     }
 
     /// Answers requests until the program ends.
-    pub(super) fn run(self: &Arc<Self>, server: &Server) {
-        for request in server.incoming_requests() {
-            if self.requests.fetch_add(1, Ordering::Relaxed) >= MAX_REQUESTS {
-                self.requests.fetch_sub(1, Ordering::Relaxed);
-                respond(request, Answer::words(503, say!("too many requests at once")));
-                continue;
+    ///
+    /// # Errors
+    /// As the system's.
+    pub(super) fn run(self: &Arc<Self>, listener: TcpListener) -> io::Result<Infallible> {
+        let mut runtime = tokio::runtime::Builder::new_current_thread();
+        let runtime = runtime.enable_all().max_blocking_threads(MAX_THREADS).build()?;
+        runtime.block_on(async {
+            listener.set_nonblocking(true)?;
+            let listener = tokio::net::TcpListener::from_std(listener)?;
+            let places = Arc::new(Semaphore::new(MAX_CONNECTIONS));
+            loop {
+                let place = places.clone().acquire_owned().await.map_err(io::Error::other)?;
+                let Ok((stream, _)) = listener.accept().await else {
+                    sleep(PAUSE).await;
+                    continue;
+                };
+                let site = self.clone();
+                tokio::spawn(async move {
+                    let service = service_fn(|request| async { Ok::<_, Infallible>(site.respond(request).await) });
+                    let mut http = http1::Builder::new();
+                    http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);
+                    http.max_buf_size(MAX_HEAD).max_headers(MAX_FIELDS).keep_alive(false);
+                    // A reader who is gone is no failure.
+                    let _ = timeout(MAX_TIME, http.serve_connection(TokioIo::new(stream), service)).await;
+                    drop(place);
+                });
             }
-            let site = self.clone();
-            let done = thread::Builder::new().spawn(move || {
-                site.answer(request);
-                site.requests.fetch_sub(1, Ordering::Relaxed);
-            });
-            if done.is_err() {
-                self.requests.fetch_sub(1, Ordering::Relaxed);
-            }
-        }
+        })
     }
 
-    fn answer(&self, mut request: Request) {
-        let answer = self.answer_to(&mut request);
-        respond(request, answer);
+    async fn respond(self: &Arc<Self>, request: Request<Incoming>) -> Response<String> {
+        let Answer(status, kind, text) = self.answer(request).await;
+        let headers = [
+            ("content-type", kind),
+            ("cache-control", "no-store"),
+            // The token stays here.
+            ("referrer-policy", "no-referrer"),
+            ("x-content-type-options", "nosniff"),
+            // No other page may show this one.
+            ("x-frame-options", "DENY"),
+            ("cross-origin-resource-policy", "same-origin"),
+            ("cross-origin-opener-policy", "same-origin"),
+        ];
+        let mut response = Response::new(text);
+        *response.status_mut() = status.try_into().unwrap_or_default();
+        let headers = headers.map(|(name, value)| (HeaderName::from_static(name), HeaderValue::from_static(value)));
+        response.headers_mut().extend(headers);
+        response
     }
 
-    fn answer_to(&self, request: &mut Request) -> Answer {
+    async fn answer(self: &Arc<Self>, request: Request<Incoming>) -> Answer {
         // Another name for this machine is a page elsewhere whose name was redirected here (DNS rebinding).
         let hosts = [format!("127.0.0.1:{}", self.port), format!("localhost:{}", self.port)];
-        let host = only(request, "Host").filter(|host| hosts.contains(host));
+        let host = only(&request, "host").filter(|host| hosts.contains(host) && request.uri().authority().is_none());
         let Some(host) = host else { return Answer::words(403, say!("this server answers only on its own address")) };
-        let path = request.url().split('?').next().unwrap_or_default();
-        let place = path.strip_prefix('/').and_then(|path| path.strip_prefix(&self.token));
+        let place = request.uri().path().strip_prefix('/').and_then(|path| path.strip_prefix(&self.token));
         match (request.method(), place) {
-            (Method::Get, Some("/")) => Answer(200, "text/html; charset=utf-8", self.page()),
-            (Method::Get, Some("/file")) => self.state(request),
-            (Method::Put, Some("/file")) => match only(request, "Origin") {
-                Some(origin) if origin == format!("http://{host}") => self.save(request),
+            (&Method::GET, Some("/")) => self.work(|site| Answer(200, "text/html; charset=utf-8", site.page())).await,
+            (&Method::GET, Some("/file")) => self.state(&request).await,
+            (&Method::PUT, Some("/file")) => match only(&request, "origin") {
+                Some(origin) if origin == format!("http://{host}") => self.save(request).await,
                 _ => Answer::words(403, say!("only the page itself may save")),
             },
             (_, Some("/" | "/file")) => Answer::words(405, say!("this method is not known here")),
             _ => Answer::words(404, say!("there is nothing here: open the whole address that lsys printed")),
         }
+    }
+
+    /// Does work with files in another thread.
+    async fn work(self: &Arc<Self>, work: impl FnOnce(&Self) -> Answer + Send + 'static) -> Answer {
+        let site = self.clone();
+        let done = tokio::task::spawn_blocking(move || work(&site)).await;
+        done.unwrap_or_else(|error| Answer::words(500, error.to_string()))
     }
 
     /// The page, with the file's name and its state.
@@ -130,42 +187,62 @@ impl Site {
     }
 
     /// The file's state; if the page knows it, then after the next change or when the time is up.
-    fn state(&self, request: &Request) -> Answer {
-        let known = only(request, "If-None-Match").unwrap_or_default();
+    async fn state(self: &Arc<Self>, request: &Request<Incoming>) -> Answer {
+        let known = unquoted(&only(request, "if-none-match").unwrap_or_default());
         // The preference `wait` of RFC 7240.
-        let wait = only(request, "Prefer").and_then(|prefer| prefer.strip_prefix("wait=")?.parse().ok());
-        let state = self.file.after(&unquoted(&known), Duration::from_secs(wait.unwrap_or(0).min(MAX_WAIT)));
-        Answer::state(200, &state)
+        let wait = only(request, "prefer").and_then(|prefer| prefer.strip_prefix("wait=")?.parse().ok());
+        // Folders on a network report no changes.
+        let now = self.work(|site| Answer::state(200, &site.file.refresh())).await;
+        match wait.unwrap_or(0).min(MAX_WAIT) {
+            0 => now,
+            wait => Answer::state(200, &self.file.after(&known, Duration::from_secs(wait)).await),
+        }
     }
 
-    fn save(&self, request: &mut Request) -> Answer {
-        let Some(known) = only(request, "If-Match") else {
+    async fn save(self: &Arc<Self>, request: Request<Incoming>) -> Answer {
+        let Some(known) = only(&request, "if-match") else {
             return Answer::words(428, say!("the version of the file is missing: If-Match"));
         };
-        if request.body_length().is_some_and(|length| length > MAX_BODY) {
-            return Answer::words(413, say!("this is too long"));
-        }
-        let mut body = Vec::new();
-        if let Err(error) = request.as_reader().take(MAX_BODY as u64 + 1).read_to_end(&mut body) {
-            return Answer::words(400, error.to_string());
-        }
-        if body.len() > MAX_BODY {
-            return Answer::words(413, say!("this is too long"));
-        }
-        let Ok(link) = String::from_utf8(body) else { return Answer::words(400, say!("this is no text")) };
-        match self.file.save(&link, &unquoted(&known)) {
+        let whole = request.uri().query() == Some("whole");
+        let Ok(_place) = self.saves.acquire().await else { return Answer::words(503, String::new()) };
+        let link = match body_of(request.into_body()).await {
+            Ok(link) => link,
+            Err(answer) => return answer,
+        };
+        let save = move |site: &Self| match site.file.save(&link, &unquoted(&known), whole) {
             Ok(state) => Answer::state(200, &state),
             Err(NotSaved::Changed(state)) => Answer::state(412, &state),
+            Err(NotSaved::Whole(words)) => Answer::words(409, words),
             Err(NotSaved::Wrong(words)) => Answer::words(400, words),
             Err(NotSaved::Refused(words)) => Answer::words(500, words),
+        };
+        self.work(save).await
+    }
+}
+
+/// The text in a request.
+async fn body_of(mut body: Incoming) -> Result<String, Answer> {
+    let (mut bytes, mut length) = (Vec::new(), 0);
+    while length <= MAX_READ
+        && let Some(frame) = poll_fn(|context| Pin::new(&mut body).poll_frame(context)).await
+    {
+        let frame = frame.map_err(|error| Answer::words(400, error.to_string()))?;
+        let data = frame.into_data().unwrap_or_default();
+        length += data.len();
+        if length <= MAX_BODY {
+            bytes.extend_from_slice(&data);
         }
+    }
+    match length {
+        ..=MAX_BODY => String::from_utf8(bytes).map_err(|_| Answer::words(400, say!("this is no text"))),
+        _ => Err(Answer::words(413, say!("this is too long"))),
     }
 }
 
 /// The value of a header that stands exactly once.
-fn only(request: &Request, name: &'static str) -> Option<String> {
-    let mut values = request.headers().iter().filter(|header| header.field.equiv(name));
-    let value = values.next()?.value.to_string();
+fn only(request: &Request<Incoming>, name: &'static str) -> Option<String> {
+    let mut values = request.headers().get_all(name).iter();
+    let value = values.next()?.to_str().ok()?.to_owned();
     values.next().is_none().then_some(value)
 }
 
@@ -177,24 +254,4 @@ fn unquoted(tag: &str) -> String {
 /// A text as the value of an attribute in double quotes.
 fn attribute(text: &str) -> String {
     text.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;")
-}
-
-/// Sends an answer. A reader who is gone is no failure.
-fn respond(request: Request, Answer(status, kind, text): Answer) {
-    let headers = [
-        ("Content-Type", kind),
-        ("Cache-Control", "no-store"),
-        // The token stays here.
-        ("Referrer-Policy", "no-referrer"),
-        ("X-Content-Type-Options", "nosniff"),
-        // No other page may show this one.
-        ("X-Frame-Options", "DENY"),
-        ("Cross-Origin-Resource-Policy", "same-origin"),
-        ("Cross-Origin-Opener-Policy", "same-origin"),
-    ];
-    let mut response = Response::from_data(text.into_bytes()).with_status_code(status);
-    for header in headers.into_iter().filter_map(|(name, value)| Header::from_bytes(name, value).ok()) {
-        response.add_header(header);
-    }
-    let _ = request.respond(response);
 }
