@@ -21,6 +21,7 @@ mod input;
 mod make;
 mod once;
 mod options;
+mod pieces;
 mod shrink;
 mod source;
 mod supervisor;
@@ -35,7 +36,7 @@ pub use shrink::shrink;
 pub use source::Source;
 pub use supervisor::supervise;
 pub use target::Target;
-pub use worker::work;
+pub use worker::{watch, work};
 
 /// The naive reference of the core's tests.
 #[path = "../../lsystem/tests/naive/mod.rs"]

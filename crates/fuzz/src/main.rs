@@ -2,24 +2,13 @@
 
 use anyhow::{Context, Result};
 use lsystem_fuzz::{Options, Target, replay, shrink, supervise, work};
-use std::process::ExitCode;
 
-fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn run() -> Result<()> {
-    if std::env::args().nth(1).is_some_and(|word| word == "--list") {
+fn main() -> Result<()> {
+    let options = Options::read();
+    if options.list {
         println!("{}", Target::names().join("\n"));
         return Ok(());
     }
-    let options = Options::read(std::env::args().skip(1))?;
     if options.worker {
         return work(&options);
     }

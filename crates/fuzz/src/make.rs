@@ -5,6 +5,6 @@ mod text;
 mod view;
 
 pub(crate) use definition::{definition, limits, system};
-pub(crate) use field::style;
+pub(crate) use field::{change_field, style};
 pub(crate) use text::{damage, expression, overrides, random_pieces};
 pub(crate) use view::{camera, upto, view, viewport};

@@ -1,6 +1,6 @@
 //! One execution of a target.
 
-use crate::{Gauge, Source, Target, told};
+use crate::{Gauge, Source, Target, told, worker};
 use anyhow::{Context, Result, bail};
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -33,11 +33,12 @@ pub fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), Stri
     (gauge, outcome)
 }
 
-/// Runs a target with an input for libFuzzer.
+/// Runs a target with an input for libFuzzer, whose own limit of time is one on the wall.
 ///
 /// # Panics
 /// If a property does not hold.
 pub fn guided(target: &Target, bytes: &[u8]) {
+    worker::begin();
     let mut gauge = Gauge::new();
     (target.run)(&mut Source::new(bytes), &mut gauge);
     if let Err(message) = gauge.check() {

@@ -22,7 +22,8 @@ pub fn supervise(options: &Options) -> Result<()> {
         let mut found = 0;
         while let Some(target) = next() {
             let results = Results::of(options, target)?;
-            results.print(target);
+            // All at once, because other targets print at the same time.
+            print!("{}", results.text(target));
             found += results.findings.values().filter(|message| !is_known(message)).count();
         }
         Ok(found)
@@ -40,7 +41,7 @@ pub fn supervise(options: &Options) -> Result<()> {
 
 /// The random inputs that every target tries, and how many shares of the time it may take for them.
 const LEAST: u64 = 1_000;
-const MOST_SHARES: u32 = 8;
+const MAX_SHARES: u32 = 8;
 
 /// Known faults that are not mended yet: one part of a message on each line. They are printed, but do not fail a run.
 const KNOWN: &str = include_str!("../known.txt");
@@ -81,7 +82,7 @@ impl Results {
         loop {
             let done = from - options.from;
             // Slow targets get more time, so that each tries some inputs.
-            let share = if done < least { MOST_SHARES } else { 1 };
+            let share = if done < least { MAX_SHARES } else { 1 };
             let time = options.time.map(|time| (time * share).saturating_sub(start.elapsed()));
             let left = if share > 1 && options.time.is_some() { least.min(most) } else { most }.saturating_sub(done);
             if left == 0 || time.is_some_and(|time| time.is_zero()) {
@@ -136,11 +137,6 @@ impl Results {
         let path = keep(options, target, &format!("{kind}-{number}"), &input)?;
         self.findings.insert(path.display().to_string(), format!("{kind} ({status})"));
         Ok(())
-    }
-
-    /// Prints all at once, because other targets print at the same time.
-    fn print(&self, target: &Target) {
-        print!("{}", self.text(target));
     }
 
     fn text(&self, target: &Target) -> String {

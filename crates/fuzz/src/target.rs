@@ -4,6 +4,7 @@ mod answers;
 mod course;
 mod derive;
 mod drawing;
+mod edits;
 mod export;
 mod expressions;
 mod files;
@@ -11,6 +12,7 @@ mod films;
 mod find;
 mod formats;
 mod import;
+mod meshes;
 mod notation;
 mod papers;
 mod pick;
@@ -38,38 +40,41 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
 }
 
 /// Those that take longest come first, so that jobs at the same time end at about the same time.
-const TARGETS: [Target; 31] = [
-    target("exercises", 150, course::exercises),
-    target("find", 30, find::pictures_found),
-    target("growth", 600, course::growth),
-    target("render", 800, render::render),
-    target("views", 40, render::views),
-    target("notation", 1_500, notation::notation),
-    target("overrides", 8_000, notation::overrides),
-    target("expressions", 15_000, expressions::expressions),
-    target("json", 4_000, files::json),
-    target("pictures", 4_000, files::pictures),
-    target("svg", 400, svg::drawn),
-    target("bytes", 8_000, files::bytes),
-    target("import", 1_500, import::import_text),
-    target("long-texts", 100, import::long_texts),
-    target("links", 1_500, answers::links),
-    target("outputs", 1_500, answers::outputs),
-    target("steps", 800, course::steps),
-    target("derive", 3_000, derive::derive),
-    target("access", 1_500, derive::access),
-    target("drawing", 3_000, drawing::plane),
-    target("space", 2_000, drawing::space),
-    target("density", 500, render::density),
-    target("solid", 100, solid::solid),
-    target("tiles", 400, tiles::tiles),
-    target("formats", 800, formats::formats),
-    target("pick", 3_000, pick::pick),
-    target("export", 2_000, export::export),
-    target("plots", 600, plots::plots),
-    target("papers", 600, papers::papers),
-    target("films", 200, films::films),
-    target("find-strings", 600, find::strings_found),
+const TARGETS: [Target; 34] = [
+    target("exercises", 50, course::exercises),
+    target("find", 10, find::pictures_found),
+    target("growth", 200, course::growth),
+    target("render", 260, render::render),
+    target("views", 13, render::views),
+    target("notation", 500, notation::notation),
+    target("overrides", 2_660, notation::overrides),
+    target("expressions", 5_000, expressions::expressions),
+    target("json", 1_330, files::json),
+    target("pictures", 1_330, files::pictures),
+    target("svg", 130, svg::drawn),
+    target("bytes", 2_660, files::bytes),
+    target("edits", 660, edits::edits),
+    target("import", 500, import::import_text),
+    target("long-texts", 33, import::long_texts),
+    target("links", 500, answers::links),
+    target("outputs", 500, answers::outputs),
+    target("tables", 100, answers::tables),
+    target("meshes", 500, meshes::meshes),
+    target("steps", 260, course::steps),
+    target("derive", 1_000, derive::derive),
+    target("access", 500, derive::access),
+    target("drawing", 1_000, drawing::plane),
+    target("space", 660, drawing::space),
+    target("density", 160, render::density),
+    target("solid", 33, solid::solid),
+    target("tiles", 130, tiles::tiles),
+    target("formats", 260, formats::formats),
+    target("pick", 1_000, pick::pick),
+    target("export", 660, export::export),
+    target("plots", 200, plots::plots),
+    target("papers", 200, papers::papers),
+    target("films", 67, films::films),
+    target("find-strings", 200, find::strings_found),
 ];
 
 impl Target {

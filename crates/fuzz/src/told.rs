@@ -7,6 +7,8 @@ use lsystem::base::words;
 const ENGLISH: [&str; 12] =
     ["the", "this", "is", "are", "must", "cannot", "there", "has", "have", "which", "needs", "read"];
 
+const VOWELS: [(char, char); 5] = [('a', 'á'), ('e', 'ë'), ('i', 'ï'), ('o', 'ö'), ('u', 'û')];
+
 /// Lets the core speak this language, for all targets.
 pub(crate) fn speak() {
     words::set_reader(|text, _| Some(accented(text)));
@@ -15,19 +17,12 @@ pub(crate) fn speak() {
 /// A text with other vowels, but for code and places of arguments.
 fn accented(text: &str) -> String {
     let (mut is_code, mut is_hole) = (false, false);
-    let letter = |c: char| match c {
-        'a' => 'á',
-        'e' => 'ë',
-        'i' => 'ï',
-        'o' => 'ö',
-        'u' => 'û',
-        other => other,
-    };
+    let letter = |c: char| VOWELS.iter().find(|(own, _)| *own == c).map_or(c, |&(_, other)| other);
     text.chars()
         .map(|c| {
             match c {
                 '`' => is_code = !is_code,
-                '{' | '}' => is_hole = c == '{',
+                '{' | '}' if !is_code => is_hole = c == '{',
                 _ => {}
             }
             if is_code || is_hole { c } else { letter(c) }
@@ -46,10 +41,8 @@ pub(crate) fn check(message: &str) {
 
 /// Checks a diagnostic and its hint.
 pub(crate) fn check_diagnostic(diagnostic: &lsystem::Diagnostic) {
-    check(&diagnostic.message());
-    if let Some(hint) = diagnostic.hint() {
-        check(&hint);
-    }
+    check(&diagnostic.message);
+    diagnostic.hint.iter().for_each(|hint| check(hint));
 }
 
 #[cfg(test)]

@@ -65,8 +65,7 @@ impl<'a> Worker<'a> {
         while number - from < *executions && self.options.time.is_none_or(|time| start.elapsed() < time) {
             inputs.fill(number, &mut input);
             current.note(number)?;
-            let began = process_time();
-            SINCE.store(began.as_millis() as u64, Ordering::Relaxed);
+            let began = begin();
             let (gauge, outcome) = once(self.target, &mut input.source());
             let time = process_time() - began;
             self.peak = self.peak.max(gauge.peak());
@@ -136,8 +135,15 @@ pub(crate) fn keep(options: &Options, target: &Target, place: &str, input: &Inpu
 /// The start of the present execution, in milliseconds of processor time.
 static SINCE: AtomicU64 = AtomicU64::new(u64::MAX);
 
+/// Notes the start of an execution, and returns it in processor time.
+pub(crate) fn begin() -> Duration {
+    let now = process_time();
+    SINCE.store(now.as_millis() as u64, Ordering::Relaxed);
+    now
+}
+
 /// Ends the process when an input hangs or uses too much memory. The supervisor then continues after that input.
-fn watch() {
+pub fn watch() {
     std::thread::spawn(move || {
         loop {
             std::thread::sleep(Duration::from_millis(20));

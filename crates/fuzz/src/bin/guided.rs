@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use lsystem_fuzz::{Target, guided};
+use lsystem_fuzz::{Target, guided, watch};
 use std::sync::OnceLock;
 
 static TARGET: OnceLock<&Target> = OnceLock::new();
@@ -13,6 +13,7 @@ fuzz_target!(
         let name = std::env::var("LSYSTEM_FUZZ").unwrap_or_default();
         let target = Target::named(&name).unwrap_or_else(|| panic!("LSYSTEM_FUZZ names no target: `{name}`"));
         let _ = TARGET.set(target);
+        watch();
     },
     |bytes: &[u8]| {
         if let Some(target) = TARGET.get() {

@@ -21,7 +21,7 @@ pub(crate) fn limits(source: &mut Source<'_>) -> Limits {
 /// A definition and its system; `None` if the definition has errors.
 pub(crate) fn system(source: &mut Source<'_>) -> Option<(Definition, System)> {
     let definition = definition(source);
-    let system = System::new(&definition).0?;
+    let system = System::new(&definition).ok()?;
     Some((definition, system))
 }
 

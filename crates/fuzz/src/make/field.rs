@@ -25,7 +25,7 @@ pub(crate) fn style(source: &mut Source<'_>) -> Style {
 }
 
 /// Changes one field, but not the texts and the number of iterations, which decide how long the work takes.
-pub(super) fn change_field(source: &mut Source<'_>, definition: &mut Definition) {
+pub(crate) fn change_field(source: &mut Source<'_>, definition: &mut Definition) {
     let is_changed = |field: &&&FieldSpec| !matches!(field.expected, Expected::Text(_)) && field.name != "iterations";
     let fields: Vec<&FieldSpec> = FIELDS.iter().filter(|field| field.is_defined()).filter(|f| is_changed(&f)).collect();
     let field = source.pick(&fields);

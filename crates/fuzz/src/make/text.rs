@@ -1,7 +1,9 @@
 //! Random texts in the notation: mostly valid ones, and texts of arbitrary pieces.
 
 use crate::Source;
+use crate::pieces::pieces;
 use core::fmt::Write;
+use lsystem::syntax::{ACTIONS, NumberForm};
 
 /// Letters, and all symbols with a meaning in a dialect or in the notation.
 const SYMBOLS: &str = "FGfgABXYLPQabcxyz+-|[]{}.!#',;%&^\\/$<>v*:=()~@é木🌱○●01";
@@ -282,56 +284,6 @@ pub(crate) fn surfaces(source: &mut Source<'_>) -> String {
 
 /// Overrides of a dialect.
 pub(crate) fn overrides(source: &mut Source<'_>) -> String {
-    const ACTIONS: [&str; 48] = [
-        "draw",
-        "move",
-        "draw N",
-        "move N",
-        "draw unmarked",
-        "draw unmarked N",
-        "move unmarked N",
-        "open polygon",
-        "vertex",
-        "close polygon",
-        "turn left",
-        "turn right",
-        "turn left N",
-        "turn right N",
-        "turn round",
-        "pitch down",
-        "pitch up N",
-        "pitch down N",
-        "roll left",
-        "roll right N",
-        "roll upright",
-        "open branch",
-        "close branch",
-        "colour I",
-        "next colour",
-        "next colour I",
-        "previous colour I",
-        "width N",
-        "width times N",
-        "thicker",
-        "thinner",
-        "length times N",
-        "swap turns",
-        "circle",
-        "disc N",
-        "open tube",
-        "tube point",
-        "close tube",
-        "surface l",
-        "surface m N",
-        "leaf lance",
-        "leaf heart N",
-        "leaf oak",
-        "leaf needle N",
-        "leaf petal",
-        "cut branch",
-        "nothing",
-        "move unmarked",
-    ];
     let mut lines = vec![];
     for _ in 0..source.between(1, 4) {
         let symbol = if source.once_in(8) { source.pick_char(SYMBOLS) } else { source.pick_char("FABXfG+-") };
@@ -340,8 +292,12 @@ pub(crate) fn overrides(source: &mut Source<'_>) -> String {
         for _ in 0..source.pick(&[1, 1, 1, 2, 3, 6, 40]) {
             let number = if source.once_in(4) { source.number() } else { source.pick(&[0.0, 1.0, 90.0, 0.5, 17.3]) };
             let index = source.pick(&[0, 1, 2, 7, 255, i32::MAX]);
-            let action = source.pick(&ACTIONS);
-            actions.push(action.replace('N', &format!("{number}")).replace('I', &index.to_string()));
+            let row = &ACTIONS[source.below(ACTIONS.len())];
+            let (words, usual) = row.example();
+            let own = if matches!(row.form, NumberForm::Index | NumberForm::Along(_)) { index.into() } else { number };
+            let is_usual = matches!(row.form, NumberForm::Plain(_)) || source.once_in(3);
+            let action = if is_usual { words + usual } else { format!("{words} {own}") };
+            actions.push(if source.once_in(20) { "nothing".to_owned() } else { action });
         }
         lines.push(format!("{symbol}: {}", actions.join(", ")));
     }
@@ -350,57 +306,15 @@ pub(crate) fn overrides(source: &mut Source<'_>) -> String {
 
 /// A text of pieces of the notation and other characters, in any order.
 pub(crate) fn random_pieces(source: &mut Source<'_>) -> String {
-    const PIECES: [&str; 40] = [
-        " -> ",
-        "->",
-        "→",
-        "-->",
-        "=>",
-        " < ",
-        " > ",
-        " : ",
-        "\n",
-        "\r\n",
-        "\t",
-        "draw:",
-        "ignore:",
-        "consider:",
-        "r = 2",
-        "p1: ",
-        "//",
-        "# ",
-        "`",
-        "`+`",
-        "`U+0A`",
-        "U+",
-        "F(",
-        "A(x)",
-        "A(x, y)",
-        ")",
-        "(",
-        "1e",
-        "0.5",
-        "1e400",
-        "random(",
-        "*",
-        ",",
-        "and",
-        "or",
-        "not ",
-        "sin(",
-        "draw 10",
-        "turn left",
-        "width times",
-    ];
     let mut text = String::new();
     for _ in 0..source.between(0, 40) {
         match source.below(8) {
-            0..3 => text.push_str(source.pick(&PIECES)),
+            0..3 => text.push_str(source.pick(pieces("notation"))),
             3 | 4 => text.push(source.pick_char(SYMBOLS)),
             5 => text.push(source.pick_char(STRANGE)),
             6 => text.push(char::from_u32(source.word() % 0x11_0000).unwrap_or('\u{fffd}')),
             _ if source.once_in(8) => {
-                let piece = source.pick(&PIECES);
+                let piece = source.pick(pieces("notation"));
                 text.push_str(&piece.repeat(source.between(1, 300)));
             }
             _ => text.push_str(&expression(source, &["x", "r"], 3)),

@@ -1,50 +1,19 @@
 //! Answers of students: links and the output of programs. Any text is read without a panic.
 
 use crate::make;
+use crate::pieces::pieces;
 use crate::{Gauge, Source};
-use lsystem::course::{Verdict, check};
+use lsystem::course::{Verdict, answers, check, exercise_in};
 use lsystem::files::packed::{pack, unpack};
 use lsystem::files::{read_link, read_segments};
 use lsystem::{Limits, SvgOptions, System, draw, expand, write_csv, write_svg};
 
 /// Links, readable and compressed: what is read is a valid definition.
 pub(super) fn links(source: &mut Source<'_>, gauge: &mut Gauge) {
-    const PIECES: [&str; 30] = [
-        "#",
-        "v=1",
-        "&",
-        "=",
-        "axiom=F",
-        "rules=F%20-%3E%20FF",
-        "n=3",
-        "n=1e9",
-        "angle=-0.5",
-        "palette=ff0000,00ff00",
-        "palette=,",
-        "start=1,2",
-        "start=1",
-        "hold=1",
-        "turtle=abop",
-        "turtle=x",
-        "view=0,0,1",
-        "by=Ada",
-        "x=abc",
-        "z=",
-        "%",
-        "%FF",
-        "%F0%9F%8C%BF",
-        "🌿",
-        "seed=4294967296",
-        "hue=1e308",
-        "do=G:%20move",
-        "step=0",
-        "\n",
-        "title=",
-    ];
     let mut fields = String::new();
     for _ in 0..source.between(0, 12) {
         let times = if source.once_in(60) { source.pick(&[300, 30_000]) } else { 1 };
-        fields.push_str(&source.pick(&PIECES).repeat(times));
+        fields.push_str(&source.pick(pieces("links")).repeat(times));
         fields.push('&');
     }
     let mut text = fields.clone();
@@ -63,6 +32,26 @@ pub(super) fn links(source: &mut Source<'_>, gauge: &mut Gauge) {
     gauge.reach("link");
     assert_eq!(link.definition.out_of_range(), [], "a link gives valid values: {text}");
     assert!(link.others.iter().all(|(key, _)| key != "z" && key != "v"));
+}
+
+/// Tables of answers: rows, cells and links of any form. An answer's share is bounded, and a marked one has its row.
+pub(super) fn tables(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let mut text = String::new();
+    for _ in 0..source.between(0, 60) {
+        if source.once_in(12) {
+            let letters = source.pick(&[10, 60_000, 70_000]);
+            text += &format!("#v=1&z={}", pack(format!("n=4&rules={}", "F".repeat(letters)).as_bytes()));
+        }
+        let times = if source.once_in(60) { source.pick(&[300, 30_000]) } else { 1 };
+        text += &source.pick(pieces("tables")).repeat(times);
+    }
+    let found = gauge.call("answers", || answers(&text, "table", "abc").collect::<Vec<_>>());
+    gauge.call("exercise", || exercise_in(&text));
+    for answer in &found {
+        gauge.reach("answer");
+        assert!(answer.by.chars().count() <= 200 && !answer.name.is_empty());
+        assert!(answer.link().is_none_or(|link| read_link(link).is_some()));
+    }
 }
 
 /// The output of programs for a system: right, damaged, and anything else.
@@ -90,7 +79,7 @@ pub(super) fn outputs(source: &mut Source<'_>, gauge: &mut Gauge) {
 /// The output of a right program, in one of three forms.
 fn output(source: &mut Source<'_>, definition: &lsystem::Definition) -> Option<String> {
     let limits = Limits { symbols: 20_000, segments: 5000, work: 100_000, memory: 64 << 20, ..Limits::default() };
-    let system = System::new(definition).0?;
+    let system = System::new(definition).ok()?;
     let n = definition.iterations;
     match source.below(3) {
         0 => expand(&system, n, &limits).ok(),
@@ -106,49 +95,11 @@ fn output(source: &mut Source<'_>, definition: &lsystem::Definition) -> Option<S
 }
 
 fn damage(source: &mut Source<'_>, text: &mut String) {
-    const PIECES: [&str; 36] = [
-        "<",
-        ">",
-        "/>",
-        "<svg>",
-        "</svg>",
-        "<g transform='",
-        "scale(1,-1)",
-        "rotate(45 1 1)",
-        "matrix(1e300 0 0 1 0 0)",
-        "'",
-        "\"",
-        "<path d='",
-        "M0 0",
-        "l1-1",
-        "h",
-        "z",
-        "C",
-        "1e999",
-        "1e308",
-        "-.5.5",
-        "<line x1='1'/>",
-        "<!--",
-        "-->",
-        "<polygon points='0 0 1 1'/>",
-        "0,0,1,1\n",
-        "x0,y0,x1,y1\n",
-        ";",
-        "\t",
-        "F",
-        "+",
-        "(",
-        "1)",
-        "`",
-        "🌿",
-        "\n",
-        "0",
-    ];
     for _ in 0..source.between(1, 8) {
         let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
         let at = source.pick(&ends);
         let end = if source.once_in(3) { source.pick(&ends).max(at) } else { at };
         let times = if source.once_in(40) { source.pick(&[20, 3000]) } else { 1 };
-        text.replace_range(at..end, &source.pick(&PIECES).repeat(times));
+        text.replace_range(at..end, &source.pick(pieces("outputs")).repeat(times));
     }
 }

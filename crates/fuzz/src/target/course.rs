@@ -63,7 +63,7 @@ pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     assert_eq!(marker.overlay().len(), 512 * 512);
     if source.once_in(8) {
-        let _ = gauge.call("hint", || marker.hint(&other));
+        let _ = gauge.long_call("hint", TARGET_STEPS, || marker.hint(&other));
     }
 }
 
@@ -84,9 +84,9 @@ fn changed(source: &mut Source<'_>, own: &Definition) -> Definition {
 /// Checks that an answer that is called the same is so, segment by segment.
 fn same(exercise: &Exercise, student: &Definition) {
     let drawn = |definition: &Definition| {
-        let system = System::new(definition).0?.without_wires();
+        let system = System::new(definition).ok()?.without_wires();
         let figure = Figure::draw(&system, definition.iterations, &Limits::default()).ok()?;
-        let is_compared = figure.segment_count() <= MOST_COMPARED && figure.polygon_count() == 0;
+        let is_compared = figure.segment_count() <= MAX_COMPARED && figure.polygon_count() == 0;
         is_compared.then_some(figure)
     };
     let (Some(target), Some(own)) = (drawn(&exercise.target), drawn(&exercise.complete(student))) else { return };
@@ -109,7 +109,7 @@ fn same(exercise: &Exercise, student: &Definition) {
 }
 
 /// The most segments that are compared one by one.
-const MOST_COMPARED: u128 = 300;
+const MAX_COMPARED: u128 = 300;
 
 /// The segments that have a length, moved and scaled so that the longest side is 1.
 fn fitted(figure: &Figure) -> Vec<[[f64; 3]; 2]> {

@@ -4,7 +4,7 @@ use crate::gauge::WORK;
 use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
-use lsystem::derive::{Ancestor, History, Part, Tally};
+use lsystem::derive::{Ancestor, DerivedPart, History, Tally};
 use lsystem::drawing::{expand_once, expand_symbol, kind, legend, why_empty};
 use lsystem::syntax::print_module;
 use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, expand};
@@ -112,7 +112,7 @@ impl GenerationReader<'_> {
         }
     }
 
-    fn part(&self, generation: u32, index: u128) -> Option<Part> {
+    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
         match self {
             Self::Counted(system, n) => system.word(*n)?.part(generation, index),
             Self::Remembered(history, n) => history.part(generation, index, *n),

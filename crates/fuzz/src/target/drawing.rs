@@ -175,20 +175,13 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
 
 /// Whether an action has a number of usual size, if any.
 fn is_usual(action: lsystem::syntax::Action) -> bool {
-    use lsystem::syntax::Action::{
-        Circle, Draw, DrawUnmarked, Fill, Move, MoveUnmarked, PitchDown, PitchUp, RollLeft, RollRight, ScaleLength,
-        ScaleWidth, SetWidth, TurnLeft, TurnRight,
-    };
+    use lsystem::syntax::Action::{AddColour, ScaleLength, SetColour};
     let usual = |number: f64| number == 0.0 || (1e-4..1e4).contains(&number.abs());
     match action {
-        Draw(number) | DrawUnmarked(number) | Move(number) | MoveUnmarked(number) => number.is_none_or(usual),
-        TurnLeft(number) | TurnRight(number) | PitchDown(number) | PitchUp(number) => number.is_none_or(usual),
-        RollLeft(number) | RollRight(number) => number.is_none_or(usual),
-        Circle(number) | Fill(_, number) => number.is_none_or(usual),
         // Factors of length multiply along a path.
         ScaleLength(factor) => (0.1..10.0).contains(&factor),
-        SetWidth(number) | ScaleWidth(number) => usual(number),
-        _ => true,
+        SetColour(_) | AddColour(_) => true,
+        _ => action.number().is_none_or(usual),
     }
 }
 

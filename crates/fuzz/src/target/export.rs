@@ -11,7 +11,7 @@ use lsystem::{
 use std::collections::HashMap;
 
 /// The most segments of a file in this target.
-const MOST: u64 = 20_000;
+const MAX: u64 = 20_000;
 
 /// Writes every format.
 pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -20,21 +20,21 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
     if !system.is_solid() {
         let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
         svg(source, &definition, &drawing, &system.style, gauge);
-        table(gauge.call("csv", || write_csv(&drawing, MOST)), drawing.segment_count(), 6);
+        table(gauge.call("csv", || write_csv(&drawing, MAX)), drawing.segment_count(), 6);
     }
     if system.is_solid() || source.once_in(3) {
         let Some(drawing) = drawn_in_space(&system, n, &limits, gauge) else { return };
-        table(gauge.call("csv", || write_csv(&*drawing, MOST)), drawing.segment_count(), 8);
+        table(gauge.call("csv", || write_csv(&*drawing, MAX)), drawing.segment_count(), 8);
         let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
-        if let Ok(seen) = gauge.call("seen_from", || drawing.seen_from(&outlook, MOST)) {
+        if let Ok(seen) = gauge.call("seen_from", || drawing.seen_from(&outlook, MAX)) {
             svg(source, &definition, &seen, &system.style, gauge);
         }
-        let Ok(mesh) = gauge.call("mesh", || Mesh::new(&drawing, &system.style, MOST)) else { return };
+        let Ok(mesh) = gauge.call("mesh", || Mesh::new(&drawing, &system.style, MAX)) else { return };
         check(&mesh);
         let obj = gauge.call("obj", || write_obj(&mesh, definition.label()));
         assert!(!obj.contains("NaN") && !obj.contains("inf"), "a number that is not finite in OBJ");
         printed(&drawing, &system.style, gauge);
-        let Ok(glb) = gauge.call("glb", || write_glb(&drawing, &system.style, MOST, definition.label())) else {
+        let Ok(glb) = gauge.call("glb", || write_glb(&drawing, &system.style, MAX, definition.label())) else {
             return;
         };
         assert!(glb.starts_with(b"glTF"));
@@ -46,7 +46,7 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
 
 /// Makes a mesh for a printer, and its file: every edge joins two triangles that run along it in opposite directions.
 fn printed(drawing: &Drawing<Solid>, style: &Style, gauge: &mut Gauge) {
-    let Ok(mesh) = gauge.call("mesh for printing", || Mesh::for_printing(drawing, style, MOST)) else { return };
+    let Ok(mesh) = gauge.call("mesh for printing", || Mesh::for_printing(drawing, style, MAX)) else { return };
     let mut edges: HashMap<[u32; 2], [u32; 2]> = HashMap::new();
     for &[a, b, c] in &mesh.triangles {
         for [from, to] in [[a, b], [b, c], [c, a]] {
@@ -67,7 +67,7 @@ fn printed(drawing: &Drawing<Solid>, style: &Style, gauge: &mut Gauge) {
 fn svg(source: &mut Source<'_>, definition: &Definition, drawing: &Drawing, style: &Style, gauge: &mut Gauge) {
     let form = source.pick(&[SvgForm::Flat, SvgForm::Compact]);
     let system = write_json(definition);
-    let options = SvgOptions { title: "<&>".into(), system: system.clone(), form, most: MOST, ..SvgOptions::default() };
+    let options = SvgOptions { title: "<&>".into(), system: system.clone(), form, most: MAX, ..SvgOptions::default() };
     let Ok(svg) = gauge.call("svg", || write_svg(drawing, style, &options)) else { return };
     let _ = svg.warning();
     gauge.reach("svg");

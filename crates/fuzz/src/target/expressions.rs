@@ -25,7 +25,7 @@ pub(super) fn expressions(source: &mut Source<'_>, gauge: &mut Gauge) {
     let (again, wrong) = parse(&axiom, &rules);
     assert_eq!(again, grammar, "printed text reads as another grammar: {axiom}\n{rules}\n{wrong:?}");
     let definition = Definition { axiom, rules, seed: source.word(), ..Definition::default() };
-    let Some(system) = System::new(&definition).0 else { return };
+    let Ok(system) = System::new(&definition) else { return };
     let words: Option<Vec<_>> = (0..3).map(|n| naive::modules(&system.grammar, system.seed, n)).collect();
     let Some(rewriter) = Rewriter::new(system.rules.clone(), system.seed, Limits::default()).ok() else {
         assert!(words.is_none(), "the naive reference has numbers for all");

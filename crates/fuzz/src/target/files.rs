@@ -1,6 +1,7 @@
 //! Readers of files: any bytes are read without a panic, and written files read back as the same.
 
 use crate::make::{self, random_pieces};
+use crate::pieces::pieces;
 use crate::told::check_diagnostic;
 use crate::{Gauge, Source};
 use lsystem::files::{PngOptions, collect, write_png};
@@ -14,7 +15,7 @@ use lsystem::{
 pub(super) fn json(source: &mut Source<'_>, gauge: &mut Gauge) {
     let definition = make::definition(source);
     let written = gauge.call("write", || write_json(&definition));
-    if System::new(&definition).0.is_some() {
+    if System::new(&definition).is_ok() {
         gauge.reach("right");
         let (read, diagnostics) = gauge.call("read", || read_json(&written));
         assert!(!diagnostics.iter().any(Diagnostic::is_error), "{written}: {diagnostics:?}");
@@ -28,47 +29,9 @@ pub(super) fn json(source: &mut Source<'_>, gauge: &mut Gauge) {
 
 /// Pieces of JSON in any order.
 fn tokens(source: &mut Source<'_>) -> String {
-    const PIECES: [&str; 36] = [
-        "{",
-        "}",
-        "[",
-        "]",
-        ",",
-        ":",
-        "\"rules\"",
-        "\"initial\"",
-        "\"turtle\"",
-        "\"style\"",
-        "\"palette\"",
-        "\"F\"",
-        "\"p\"",
-        "\"e\"",
-        "0.5",
-        "-1e400",
-        "1e999999",
-        "true",
-        "null",
-        "\"\\u12\"",
-        "\"\\ud800\"",
-        "//",
-        "/*",
-        "*/",
-        "\n",
-        "'a'",
-        "num_iters",
-        "\"seed\"",
-        "99999999999999999999",
-        "\"overrides\"",
-        "\"start\"",
-        "[1,2]",
-        "\"#fff\"",
-        "\u{feff}",
-        "\"",
-        "\"angle_deg\": 5",
-    ];
     let mut text = String::new();
     for _ in 0..source.between(1, 60) {
-        let piece = source.pick(&PIECES);
+        let piece = source.pick(pieces("files"));
         let times = if source.once_in(40) { source.pick(&[10, 600, 20_000]) } else { 1 };
         text.push_str(&piece.repeat(times));
     }
@@ -122,7 +85,7 @@ fn read(bytes: &[u8], gauge: &mut Gauge) -> Option<Definition> {
 
 /// A PNG file of one pixel with a system inside.
 fn pixel(system: String) -> Option<Vec<u8>> {
-    let line = System::new(&Definition { axiom: "F".into(), ..Definition::default() }).0?;
+    let line = System::new(&Definition { axiom: "F".into(), ..Definition::default() }).ok()?;
     let figure = Figure::draw(&line, 0, &Limits::default()).ok()?;
     let viewport = Viewport { width: 1, height: 1, ratio: 1.0 };
     let options = PngOptions { viewport, system, ..PngOptions::default() };

@@ -4,7 +4,7 @@ use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::film::{
     Easing, Ending, Film, Frame, GifWriter, Painter, PaletteMaker, Script, Subject, Track, dive, dive_in_space, grow,
-    sway, turntable, turtle, vantage_of_segment,
+    turntable, turtle, vantage_of_segment, wind,
 };
 use lsystem::render::Detail;
 use lsystem::{Camera, Definition, Vantage};
@@ -153,7 +153,7 @@ fn paint(
     detail: Detail,
     gauge: &mut Gauge,
 ) -> Result<Vec<u8>, String> {
-    let words = |problem: lsystem::Diagnostic| problem.message().to_string();
+    let words = |problem: lsystem::Diagnostic| problem.message;
     gauge.call("begin", || painter.begin(frame, size, detail)).map_err(words)?;
     let mut problem = None;
     gauge.steps("frame", WORK, || {
@@ -208,7 +208,7 @@ fn presets(source: &mut Source<'_>, film: &Film, painter: &Painter, gauge: &mut 
         _ => u128::from(source.word()),
     };
     let Definition { iterations, .. } = film.frame(0).definition;
-    let mut tracks: Vec<Track> = vec![grow(&script, iterations), turtle(&script), sway(&script, 3.0)];
+    let mut tracks: Vec<Track> = vec![grow(&script, iterations), turtle(&script), wind(&script, 3.0)];
     if let Some(figure) = painter.figure() {
         let number = number(source, figure.segment_count());
         let to = gauge.call("vantage_of_segment", || vantage_of_segment(figure, number, &Vantage::default()));

@@ -128,7 +128,7 @@ fn check(found: &[Drawn], gauge: &mut Gauge) {
         gauge.reach("found");
         assert!((0.0..=1.0).contains(&drawn.agreement), "{drawn:?}");
         let definition = drawn.definition();
-        assert!(System::new(&definition).0.is_some(), "{drawn:?} is no system");
+        assert!(System::new(&definition).is_ok(), "{drawn:?} is no system");
     }
 }
 
@@ -155,7 +155,7 @@ pub(super) fn strings_found(source: &mut Source<'_>, gauge: &mut Gauge) {
     check(&found, gauge);
     let symbols: String = text.chars().filter(|symbol| !symbol.is_whitespace()).collect();
     for drawn in found {
-        let Some(system) = System::new(&drawn.definition()).0 else { continue };
+        let Ok(system) = System::new(&drawn.definition()) else { continue };
         if expand(&system, drawn.found.n, &LIMITS).ok().as_ref() != Some(&symbols) {
             panic!("the rules derive another string: {drawn:?}");
         }

@@ -6,11 +6,11 @@ use lsystem::files::{FILE_OPTIONS, FORMATS, FileLimits, FileOptions, FileTask, F
 use std::collections::BTreeMap;
 
 /// The most segments of a file in this target.
-const MOST: u64 = 5_000;
+const MAX: u64 = 5_000;
 /// The most parts of a file, of about 16,384 units of work each.
 const PARTS: usize = 400;
 /// The most pixels of a picture in this target.
-const MOST_PIXELS: u64 = 1 << 18;
+const MAX_PIXELS: u64 = 1 << 18;
 
 /// A file of a random format, with random options.
 pub(super) fn formats(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -22,19 +22,19 @@ pub(super) fn formats(source: &mut Source<'_>, gauge: &mut Gauge) {
         println!("{format:?} {values:?}");
     }
     let [width, height] = options.size.unwrap_or([1024, 1024]).map(u64::from);
-    if width * height > MOST_PIXELS && format.options.contains(&"size") {
+    if width * height > MAX_PIXELS && format.options.contains(&"size") {
         return;
     }
-    gauge.allow(64 * MOST_PIXELS as usize);
+    gauge.allow(64 * MAX_PIXELS as usize);
     let drawing = make::limits(source);
     let limits = FileLimits {
         drawing,
         drawing_bytes: drawing.memory,
         string: Limits { memory: 32 << 20, ..drawing },
         remembers: source.once_in(2),
-        segments: MOST,
-        held: MOST,
-        mesh: [MOST, 32 << 20],
+        segments: MAX,
+        held: MAX,
+        mesh: [MAX, 32 << 20],
         band: source.pick(&[1 << 22, 1, 1000]),
     };
     let view = FileView { is_described: source.once_in(2), ..FileView::default() };

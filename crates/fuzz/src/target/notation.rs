@@ -27,9 +27,10 @@ pub(super) fn notation(source: &mut Source<'_>, gauge: &mut Gauge) {
         assert!(!wrong.iter().any(Diagnostic::is_error), "printed text is wrong: {axiom}\n{rules}\n{wrong:?}");
         assert_eq!(again, grammar, "printed text reads as another grammar: {axiom}\n{rules}");
     }
-    let (system, diagnostics) = gauge.call("define", || System::new(&definition));
-    check(&definition, &diagnostics);
-    assert_eq!(system.is_none(), diagnostics.iter().any(Diagnostic::is_error), "an error has no system");
+    let mut problems = vec![];
+    let system = gauge.call("define", || System::read(&definition, &mut problems));
+    check(&definition, &problems);
+    assert_eq!(system.is_none(), problems.iter().any(Diagnostic::is_error), "an error has no system");
     let classes = gauge.call("classify", || classify(&definition));
     let Definition { axiom, rules, overrides, .. } = &definition;
     for (text, classes) in [(axiom, classes.axiom), (rules, classes.rules), (overrides, classes.overrides)] {

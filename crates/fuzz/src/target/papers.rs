@@ -10,7 +10,7 @@ use miniz_oxide::inflate::decompress_to_vec_zlib;
 use std::sync::Arc;
 
 /// The most segments of a file in this target.
-const MOST: u64 = 20_000;
+const MAX: u64 = 20_000;
 
 /// Writes a random system in every format for papers.
 pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -22,7 +22,7 @@ pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
     let options = FileOptions {
         title: definition.title.clone(),
         system: write_json(&definition),
-        most: MOST,
+        most: MAX,
         sheet: Sheet { margin: source.pick(&[10.0, 0.0, 500.0]), ..Sheet::default() },
         is_cropped: source.once_in(2),
         ..FileOptions::default()
@@ -62,7 +62,7 @@ fn paper_drawing(
     }
     let solid = drawn_in_space(system, n, &limits, gauge)?;
     let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
-    gauge.call("seen_from", || solid.seen_from(&outlook, MOST)).ok().map(Arc::new)
+    gauge.call("seen_from", || solid.seen_from(&outlook, MAX)).ok().map(Arc::new)
 }
 
 /// Checks a typeset system.

@@ -8,7 +8,7 @@ use lsystem::plot::{Corner, PlotOptions, PlotSummary, Sheet};
 use lsystem::{read_file, write_json};
 
 /// The most strokes of a plot in this target.
-const MOST: u64 = 20_000;
+const MAX: u64 = 20_000;
 /// The most parts of a plot in this target, of about 16,384 units of work each. A plot may read millions of blocks
 /// until a limit ends it.
 const PARTS: usize = 400;
@@ -24,7 +24,7 @@ pub(super) fn plots(source: &mut Source<'_>, gauge: &mut Gauge) {
     let drawing = if system.is_solid() {
         let Some(solid) = drawn_in_space(&system, n, &limits, gauge) else { return };
         let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
-        let Ok(seen) = gauge.call("seen_from", || solid.seen_from(&outlook, MOST)) else { return };
+        let Ok(seen) = gauge.call("seen_from", || solid.seen_from(&outlook, MAX)) else { return };
         seen.into()
     } else {
         let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
@@ -34,7 +34,7 @@ pub(super) fn plots(source: &mut Source<'_>, gauge: &mut Gauge) {
     let options = FileOptions {
         title: "<&>".into(),
         system: written.clone(),
-        most: MOST,
+        most: MAX,
         sheet: sheet(source),
         plot: plot_options(source),
         ..FileOptions::default()

@@ -83,7 +83,7 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     if source.is_shown {
         println!("{axiom} {rules} {angle} {n}");
     }
-    let Some(system) = System::new(&definition).0 else { return };
+    let Ok(system) = System::new(&definition) else { return };
     let Some(drawing) = drawn(&system, n, &make::limits(source), gauge) else { return };
     let mut settings = PictureSettings::make(source, &system);
     settings.style.ink = Ink::Solid;
@@ -93,7 +93,7 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// The largest magnification at which rounding does not move the edges of strokes.
-const MOST_EXACT: f64 = 1e12;
+const MAX_EXACT: f64 = 1e12;
 
 /// Checks that the picture is the same in other steps and in panes.
 fn check_opaque(source: &mut Source<'_>, drawing: &Arc<Drawing>, settings: &PictureSettings, gauge: &mut Gauge) {
@@ -116,7 +116,7 @@ fn check_opaque(source: &mut Source<'_>, drawing: &Arc<Drawing>, settings: &Pict
         }
     }
     // A light renderer, tiles and outlines differ between panes by design.
-    let is_exact = settings.view.zoom.abs() < MOST_EXACT && stats.tiles + stats.outlines + stats.parts == 0;
+    let is_exact = settings.view.zoom.abs() < MAX_EXACT && stats.tiles + stats.outlines + stats.parts == 0;
     if is_exact && source.once_in(2) {
         panes(source, drawing, settings, &pixels, gauge);
     }
@@ -180,7 +180,7 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
     let RenderStats { blocks, strokes, stamps, tiles, outlines, parts } = renderer.stats();
     // With more work than this, larger blocks become dots, in the whole picture sooner than in its panes.
     let is_exact =
-        settings.view.zoom.abs() < MOST_EXACT && tiles + outlines + parts == 0 && blocks + strokes + stamps < 40_000;
+        settings.view.zoom.abs() < MAX_EXACT && tiles + outlines + parts == 0 && blocks + strokes + stamps < 40_000;
     if is_exact && detail == Detail::Fine && source.once_in(2) {
         let PictureSettings { style, viewport, view, upto } = &settings;
         let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];

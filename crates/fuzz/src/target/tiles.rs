@@ -4,11 +4,11 @@
 use super::drawing::drawn;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
-use lsystem::render::{Pyramid, Share, TilePlace, TileRenderer};
+use lsystem::render::{Pyramid, TilePlace, TileRenderer, TileShare};
 use std::sync::Arc;
 
 /// The most work of a tile in this target.
-const MOST_WORK: usize = 100 * WORK;
+const MAX_WORK: usize = 100 * WORK;
 
 /// Some tiles of one pyramid.
 pub(super) fn tiles(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -51,7 +51,8 @@ fn place(source: &mut Source<'_>) -> TilePlace {
 /// Checks that exactly one of several workers has the tile, and that it looks at all tiles above.
 fn shared(source: &mut Source<'_>, tile: TilePlace) {
     let of = source.pick(&[1, 2, 3, 16, 1000]);
-    let parts: Vec<Share> = (0..of).filter_map(|part| Share::new(part, of)).filter(|share| share.has(tile)).collect();
+    let parts: Vec<TileShare> =
+        (0..of).filter_map(|part| TileShare::new(part, of)).filter(|share| share.has(tile)).collect();
     let [share] = parts[..] else { panic!("{tile:?} belongs to {} of {of} workers", parts.len()) };
     assert!((0..=tile.level).all(|level| share.leads_on(tile.above(level))), "{tile:?} is not found");
 }
@@ -59,7 +60,7 @@ fn shared(source: &mut Source<'_>, tile: TilePlace) {
 /// The tile's picture, made in steps; `None` if it takes too many.
 fn made(renderer: &mut TileRenderer, tile: TilePlace, work: usize, gauge: &mut Gauge) -> Option<Vec<u8>> {
     gauge.call("begin", || renderer.begin(tile));
-    for _ in 0..MOST_WORK / work {
+    for _ in 0..MAX_WORK / work {
         if gauge.call("tile", || renderer.step(work)) == lsystem::Progress::Done {
             return Some(renderer.pixels().to_vec());
         }
