@@ -17,7 +17,7 @@ fn main() {
 
 fn system(axiom: &str, rules: &str, angle: f64) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle, ..Definition::default() };
-    System::new(&definition).0.unwrap()
+    System::new(&definition).unwrap()
 }
 
 fn samples() -> Vec<(&'static str, System, u32)> {
@@ -78,7 +78,7 @@ fn building_in_space() {
                  C(l) -> F(l)[+(45)$B(l*0.6)]B(l*0.9)";
     let random = "F -> F[&+F]/F[^F]F : 1\nF -> F[&F]\\F[-F] : 1";
     for (name, system, generations) in [
-        ("tree3d0", System::new(&tree).0.unwrap(), vec![8, 12, 20, 30, 1000]),
+        ("tree3d0", System::new(&tree).unwrap(), vec![8, 12, 20, 30, 1000]),
         ("bush", system("A", bush, 22.5), vec![8, 12, 20, 30, 1000]),
         ("honda", system("A(1)", honda, 45.0), vec![14, 18]),
         ("random", system("F", random, 22.5), vec![9]),
@@ -166,7 +166,7 @@ fn deriving() {
         ..Definition::default()
     };
     for (name, definition, n) in [("1.31a", signals, 60), ("2.6 a", honda, 17)] {
-        let rules = System::new(&definition).0.unwrap().rules;
+        let rules = System::new(&definition).unwrap().rules;
         for _ in 0..8 {
             let mut rewriter = Rewriter::new(rules.clone(), 0, Limits::default()).unwrap();
             let (began, mut read) = (Instant::now(), 0);

@@ -42,7 +42,7 @@ mod native {
         for work in &WORKS {
             drawing(work, &mut buffers, &mut rows);
         }
-        for growth in &GROWTHS {
+        for growth in GROWTHS.iter() {
             derivation(growth, &mut rows);
         }
         for work in &WORKS {
@@ -103,8 +103,8 @@ mod native {
 
     /// Measures derivation. Only one peer supports parameters, and none supports contexts in the same way.
     fn derivation(growth: &Growth, rows: &mut Vec<Row>) {
-        let name = name(growth.name, growth.n);
-        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(growth.what, &name, who, run));
+        let name = name(&growth.name, growth.n);
+        let mut add = |who: &str, run: &mut dyn FnMut() -> u64| rows.push(best(&growth.what, &name, who, run));
         let rules = growth.compile();
         add("ours", &mut || growth.derive(&rules));
         if growth.name == "2.6a" {

@@ -1,8 +1,11 @@
 //! Pictures that a script in the browser times: each system at several depths and magnifications.
 
+use lsystem::render::Pane;
 use lsystem::syntax::{Ink, Style};
 use lsystem::{Definition, Drawing, Limits, Plane, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
+use lsystem_session::{Screen, Session};
 use serde_json::{Value, json};
+use std::convert::Infallible;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -31,13 +34,26 @@ extern "C" {
     fn now() -> f64;
 }
 
+/// A canvas that drops all pixels.
+struct Nowhere;
+
+impl Screen for Nowhere {
+    type Error = Infallible;
+
+    fn put(&mut self, _: &[u8], _: Viewport, _: Pane) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
 /// The systems, and the picture in the making.
 #[wasm_bindgen]
-#[derive(Default)]
 pub struct Pictures {
-    /// The name, whether the successor is [`BUSH`], and the system.
-    systems: Vec<(String, bool, System)>,
+    /// The name, whether the successor is [`BUSH`], the definition, and the system.
+    systems: Vec<(String, bool, Definition, System)>,
+    /// The engine of the page's worker.
+    session: Session<Nowhere>,
     current: usize,
+    n: u32,
     drawing: Option<Arc<Drawing>>,
     renderer: Renderer,
 }
@@ -62,22 +78,29 @@ impl Pictures {
         }
         let systems = definitions.into_iter().filter_map(|(name, mut definition)| {
             definition.style.ink = Ink::Auto;
-            let system = System::new(&definition).0?;
+            let system = System::new(&definition).ok()?;
             let drawing = draw::<Plane>(&system, 2, &Limits::default());
             let memoises = !system.is_solid() && drawing.is_ok_and(|drawing| drawing.is_memoised());
             let bush = definition.rules.replace('g', "F").contains(BUSH);
-            memoises.then_some((name, bush, system))
+            memoises.then_some((name, bush, definition, system))
         });
-        Self { systems: systems.collect(), ..Self::default() }
+        Self {
+            systems: systems.collect(),
+            session: Session::new(Nowhere, Box::new(now)),
+            current: 0,
+            n: 0,
+            drawing: None,
+            renderer: Renderer::default(),
+        }
     }
 
     /// Makes the drawing of generation `n` of a system. Returns JSON: name, whether the system is the bush, numbers of
     /// segments and blocks. `undefined` after the last system or if a limit is exceeded.
     pub fn build(&mut self, index: usize, n: u32) -> Option<String> {
-        let (name, bush, system) = self.systems.get(index)?;
+        let (name, bush, _, system) = self.systems.get(index)?;
         let drawing = draw::<Plane>(system, n, &Limits::default()).ok()?;
         let (segments, blocks) = (drawing.segment_count().to_string(), drawing.block_count());
-        self.current = index;
+        (self.current, self.n) = (index, n);
         self.drawing = Some(Arc::new(drawing));
         Some(json!({"name": name, "bush": bush, "segments": segments, "blocks": blocks}).to_string())
     }
@@ -93,7 +116,44 @@ impl Pictures {
     /// `shift` thousandths of the extent at `zoom`. In opaque ink, or shaded in the default ink. Stops after `limit`
     /// milliseconds. Returns whether the picture is complete.
     pub fn picture(&mut self, zoom: f64, shift: f64, limit: f64, shaded: bool) -> bool {
-        let Some(drawing) = &self.drawing else { return true };
+        let view = self.view(zoom, shift);
+        let ink = if shaded { Ink::Auto } else { Ink::Solid };
+        let style = Style { ink, ..self.systems[self.current].3.style.clone() };
+        self.renderer.begin(&style, VIEWPORT, view);
+        let end = now() + limit;
+        while self.renderer.step(WORK) == Progress::More {
+            if now() > end {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Lets the page's engine show generation 1, so that the next picture is that of a new drawing.
+    pub fn rest(&mut self) {
+        self.define(1);
+        while self.session.step().is_ok_and(|answer| !answer.idle) {}
+    }
+
+    /// Gives the page's engine the definition, and lets it make the first picture that it shows, in the default ink.
+    /// Returns whether the picture is the final one.
+    pub fn first(&mut self, zoom: f64) -> bool {
+        self.session.look(VIEWPORT, self.view(zoom, 0.0), None);
+        self.define(self.n);
+        loop {
+            let Ok(answer) = self.session.step();
+            if answer.idle || answer.drawn.is_some() {
+                return answer.drawn.is_none_or(|drawn| drawn.complete);
+            }
+        }
+    }
+
+    fn define(&mut self, iterations: u32) {
+        self.session.define(Definition { iterations, ..self.systems[self.current].2.clone() });
+    }
+
+    fn view(&self, zoom: f64, shift: f64) -> View {
+        let Some(drawing) = &self.drawing else { return View::default() };
         let rect = fit(drawing);
         let side = rect.width.max(rect.height);
         let [x, y] = match drawing.segments_from(drawing.segment_count() / 8 * 3).next() {
@@ -103,17 +163,7 @@ impl Pictures {
             ],
             _ => [0.0; 2],
         };
-        let view = View { x: x + shift / (1000.0 * zoom), y, zoom, ..View::default() };
-        let ink = if shaded { Ink::Auto } else { Ink::Solid };
-        let style = Style { ink, ..self.systems[self.current].2.style.clone() };
-        self.renderer.begin(&style, VIEWPORT, view);
-        let end = now() + limit;
-        while self.renderer.step(WORK) == Progress::More {
-            if now() > end {
-                return false;
-            }
-        }
-        true
+        View { x: x + shift / (1000.0 * zoom), y, zoom, ..View::default() }
     }
 
     /// The work of the last picture: the numbers of blocks visited, strokes, tiles made and tiles stamped.

@@ -80,14 +80,14 @@ impl Derivation {
     /// The derivation at `index`, or `undefined` after the last.
     #[must_use]
     pub fn at(index: usize) -> Option<Self> {
-        let growth = *GROWTHS.get(index)?;
+        let growth = GROWTHS.get(index)?.clone();
         Some(Self { growth, rules: growth.compile() })
     }
 
     /// The work as JSON: kind of work, name, axiom, n, number of modules in generation n.
     #[must_use]
     pub fn work(&self) -> String {
-        let Growth { name, what, axiom, n, modules, .. } = self.growth;
+        let Growth { name, what, axiom, n, modules, .. } = &self.growth;
         serde_json::json!({"what": what, "name": name, "axiom": axiom, "n": n, "modules": modules}).to_string()
     }
 

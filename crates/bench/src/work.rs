@@ -41,7 +41,7 @@ impl Work {
     /// The system for this library.
     #[must_use]
     pub fn system(&self) -> System {
-        System::new(&self.definition()).0.expect("the measured systems are right")
+        System::new(&self.definition()).expect("the measured systems are right")
     }
 
     /// The system as text.

@@ -4,56 +4,29 @@
 mod drawing;
 mod markdown;
 
-use crate::words;
+use crate::language;
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
-use lsystem_base::say;
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use markdown::Site;
 pub(crate) use markdown::{escape, shortened};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 23] = [
-    "lesson",
-    "notation",
-    "links",
-    "embedding",
-    "books",
-    "notebooks",
-    "exercises",
-    "marking",
-    "classroom",
-    "growth",
-    "find",
-    "films",
-    "papers",
-    "plotting",
-    "meshes",
-    "sound",
-    "about",
-    "security",
-    "access",
-    "hosting",
-    "assistants",
-    "imports",
-    "scale",
-];
+const PAGES: &str = "lesson notation links embedding books notebooks exercises marking classroom growth find films papers \
+    plotting meshes sound about security access hosting assistants imports scale";
 /// The document that the site also has as Markdown, as `llms.txt` names it.
 const PLAIN: &str = "assistants";
-/// The pages in the navigation line.
-const NAVIGATION: [&str; 6] = ["lesson", "notation", "links", "embedding", "exercises", "about"];
-
-/// The name of a page in the navigation line.
-fn navigation_name(page: &str) -> String {
-    match page {
-        "lesson" => say!("Lesson"),
-        "notation" => say!("Notation"),
-        "links" => say!("Links"),
-        "embedding" => say!("Embedding"),
-        "exercises" => say!("Exercises"),
-        _ => say!("About"),
-    }
-}
+/// The pages in the navigation line, with their names.
+const NAVIGATION: [(&str, &str); 6] = [
+    ("lesson", word!("Lesson")),
+    ("notation", word!("Notation")),
+    ("links", word!("Links")),
+    ("embedding", word!("Embedding")),
+    ("exercises", word!("Exercises")),
+    ("about", word!("About")),
+];
 
 /// Where documents are read and written.
 pub(crate) struct Folders<'a> {
@@ -73,13 +46,14 @@ pub(crate) fn write_pages(folders: &Folders) -> Result<()> {
     fs::create_dir_all(&out)?;
     let template = fs::read_to_string(template)?;
     let is_shipped = |path: &str| site.join(path).is_file();
-    let ending = words::ending();
-    let rules = Site { pages: &PAGES, ending: &ending, is_shipped: &is_shipped };
-    for name in PAGES {
+    let ending = language::ending();
+    let pages: Vec<&str> = PAGES.split_whitespace().collect();
+    let rules = Site { pages: &pages, ending: &ending, is_shipped: &is_shipped };
+    for &name in &pages {
         let text = fs::read_to_string(docs.join(format!("{name}.md")))?;
         let mut document = markdown::render(&text, &rules, None).with_context(|| format!("in docs/{name}.md"))?;
         let told = told.map(|told| told.join(format!("{name}.md"))).filter(|told| told.exists());
-        let language = if told.is_some() { words::language() } else { "en" };
+        let language = if told.is_some() { language::language() } else { "en" };
         if let Some(told) = told {
             let text = fs::read_to_string(&told)?;
             document = markdown::render(&text, &rules, Some(&document)).with_context(|| told.display().to_string())?;
@@ -124,12 +98,12 @@ impl Page<'_> {
     /// The template around the text.
     pub(crate) fn fill(&self, template: &str) -> Result<String> {
         let Page { docs, name, title, description, head, language, body } = self;
-        let ending = words::ending();
+        let ending = language::ending();
         let navigation: String = NAVIGATION
             .iter()
-            .map(|page| {
+            .map(|(page, words)| {
                 let current = if page == name { " aria-current=\"page\"" } else { "" };
-                let words = escape(&navigation_name(page));
+                let words = escape(&said(words));
                 format!("<li><a href=\"{docs}{page}{ending}.html\"{current}>{words}</a></li>\n")
             })
             .collect();
@@ -143,7 +117,7 @@ impl Page<'_> {
                 ("navigation", &navigation),
                 ("body", body),
                 ("version", env!("CARGO_PKG_VERSION")),
-                ("page language", words::language()),
+                ("page language", language::language()),
                 ("text language", language),
                 ("ending", &ending),
                 ("pages", &escape(&say!("Pages"))),
@@ -181,7 +155,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let [docs, template, site] = ["docs", "page.html", "site"].map(|name| folder.path().join(name));
         fs::create_dir(&docs).unwrap();
-        for name in PAGES {
+        for name in PAGES.split_whitespace() {
             fs::write(docs.join(format!("{name}.md")), format!("# The {name}\n\nA & b.\n")).unwrap();
         }
         fs::write(docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();

@@ -34,7 +34,8 @@ pub(crate) fn exercises(file: &Path, gallery: &Value) -> Result<Vec<Value>> {
 
 /// Marks the target as an answer to its own exercise, and the start. Returns the string to derive, if it is asked for.
 pub(crate) fn try_out(exercise: &Exercise) -> Result<Option<String>> {
-    let words = |errors: Vec<Diagnostic>| errors.iter().map(Diagnostic::message).collect::<Vec<_>>().join(" ");
+    let words =
+        |errors: Vec<Diagnostic>| errors.iter().map(|problem| problem.message.clone()).collect::<Vec<_>>().join(" ");
     let mut marker = Marker::new(exercise.clone()).map_err(|errors| anyhow::anyhow!(words(errors)))?;
     let mut answer = exercise.target.clone();
     answer.rules = exercise.own_rules(&answer.rules);

@@ -18,7 +18,7 @@ pub(crate) struct Entry {
 }
 
 /// An array of `{path, kinds, solid, definition}` for the JSON files below `folder`, sorted by path. The shelves stand in
-/// `www/js/shelves.js`.
+/// `www/js/shelves.json`.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     let entry = |entry: Entry| {
         json!({
@@ -51,9 +51,8 @@ fn read(path: &str, text: &str) -> Result<(Definition, System)> {
     let (definition, diagnostics) = read_json(text);
     refuse(path, &diagnostics, |_| text)?;
     let definition = definition.with_context(|| format!("{path} has no system"))?;
-    let (system, diagnostics) = System::new(&definition);
-    refuse(path, &diagnostics, |field| definition.text(field).unwrap_or_default())?;
-    let system = system.with_context(|| format!("{path} has no valid system"))?;
+    refuse(path, &System::problems(&definition), |field| definition.text(field).unwrap_or_default())?;
+    let system = System::new(&definition)?;
     Ok((definition, system))
 }
 

@@ -2,13 +2,13 @@
 //! with `NAME.png` and `NAME.json` (oEmbed), a page with all, and `sitemap.xml`. They name their own addresses, and so are
 //! made only for a site whose address is known. In another language it is `gallery/NAME.de.html`, with the same picture.
 
-mod picture;
 mod shelves;
+mod thumbnail;
 
 use crate::docs::{Page, escape, shortened};
 use crate::exercises::try_out;
 use crate::gallery::{Entry, systems};
-use crate::words;
+use crate::language;
 use anyhow::{Context, Result, ensure};
 use fs_err as fs;
 use lsystem::course::Exercise;
@@ -17,21 +17,21 @@ use lsystem::drawing::{kind, legend};
 use lsystem::files::write_link;
 use lsystem_base::say;
 use lsystem_base::words::said;
-use picture::{SIZE, picture};
 use serde_json::{Value, json};
 use shelves::Shelf;
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
+use thumbnail::{SIZE, picture};
 
 /// The folder of the pages.
 const FOLDER: &str = "gallery";
 /// The most bytes of all pictures.
-const MOST_BYTES: usize = 16 << 20;
+const MAX_BYTES: usize = 16 << 20;
 /// The size of an embedded drawing, in CSS pixels.
 const FRAME: [u32; 2] = [640, 480];
 /// Rules up to this number of lines make an exercise.
-const MOST_RULES: usize = 3;
+const MAX_RULES: usize = 3;
 
 /// What the pages are made of, and where they are.
 pub(crate) struct Sources<'a> {
@@ -48,11 +48,11 @@ pub(crate) struct Sources<'a> {
 pub(crate) fn write(sources: &Sources<'_>) -> Result<String> {
     let Sources { root, site, .. } = sources;
     let template = fs::read_to_string(root.join("www/docs/page.html"))?;
-    let shelves = shelves::read(&fs::read_to_string(root.join("www/js/shelves.js"))?)?;
+    let shelves = shelves::read(&fs::read_to_string(root.join("www/js/shelves.json"))?)?;
     let exercises = published(&root.join("www/exercises.json"), &site.join("exercises.json"))?;
     let folder = site.join(FOLDER);
     fs::create_dir_all(&folder)?;
-    let (ending, mut bytes, mut cards) = (words::ending(), 0, HashMap::new());
+    let (ending, mut bytes, mut cards) = (language::ending(), 0, HashMap::new());
     for entry in systems(&root.join("data_in"))? {
         let entry = entry?;
         let path = entry.path.trim_end_matches(".json");
@@ -71,10 +71,10 @@ pub(crate) fn write(sources: &Sources<'_>) -> Result<String> {
         }
         cards.insert(path.to_owned(), landing.card());
     }
-    ensure!(bytes <= MOST_BYTES, "the pictures have {bytes} bytes, more than {MOST_BYTES}");
+    ensure!(bytes <= MAX_BYTES, "the pictures have {bytes} bytes, more than {MAX_BYTES}");
     fs::write(folder.join(format!("index{ending}.html")), index(&template, &shelves, &cards, sources)?)?;
     fs::write(site.join("sitemap.xml"), sitemap(site, sources.address)?)?;
-    Ok(format!("{} pages of the gallery in `{}`, with {bytes} bytes of pictures", cards.len(), words::language()))
+    Ok(format!("{} pages of the gallery in `{}`, with {bytes} bytes of pictures", cards.len(), language::language()))
 }
 
 /// The published exercises by the path of their system.
@@ -138,12 +138,12 @@ impl<'a> Landing<'a> {
     fn page(&self, template: &str) -> Result<String> {
         let (head, body) = (self.head(), self.body());
         let (title, description) = (&self.title, &*shortened(self.summary()));
-        let language = words::language();
+        let language = language::language();
         Page { docs: "../docs/", name: "", title, description, head: &head, language, body: &body }.fill(template)
     }
 
     fn head(&self) -> String {
-        let (page, picture) = (self.beside(&format!("{}html", others(words::language()))), self.beside("png"));
+        let (page, picture) = (self.beside(&format!("{}html", others(language::language()))), self.beside("png"));
         let description = shortened(self.summary());
         let data = json!({
             "@context": "https://schema.org",
@@ -205,7 +205,8 @@ impl<'a> Landing<'a> {
     fn body(&self) -> String {
         let Entry { definition, system, .. } = self.entry;
         let (name, [width, height]) = (&self.name, SIZE);
-        let asked = if words::ending().is_empty() { String::new() } else { format!("?lang={}", words::language()) };
+        let asked =
+            if language::ending().is_empty() { String::new() } else { format!("?lang={}", language::language()) };
         let link = escape(&format!("../{asked}{}", write_link(definition)));
         let exercise = self.exercise.as_ref().map(|x| {
             let words = escape(&say!("Try the exercise"));
@@ -253,7 +254,11 @@ impl<'a> Landing<'a> {
              <div class=\"table\" role=\"group\" aria-label=\"{values}\" tabindex=\"0\"><table><tbody>\n{facts}</tbody></table></div>\n\
              {words}<h2>{symbols_name}</h2>\n<div class=\"table\" role=\"group\" aria-label=\"{symbols_name}\" tabindex=\"0\"><table><thead><tr><th>{symbol}</th><th>{does}</th></tr></thead>\
              <tbody>\n{symbols}</tbody></table></div>\n",
-            all = if words::ending().is_empty() { "./".to_owned() } else { format!("index{}.html", words::ending()) },
+            all = if language::ending().is_empty() {
+                "./".to_owned()
+            } else {
+                format!("index{}.html", language::ending())
+            },
             gallery = escape(&say!("Gallery")),
             open = escape(&say!("Open in the playground")),
             rules_name = escape(&say!("Rules")),
@@ -276,7 +281,7 @@ impl<'a> Landing<'a> {
         format!(
             "<li><a href=\"{name}{}.html\"><img src=\"{name}.png\" width=\"{width}\" height=\"{height}\" alt=\"\" loading=\"lazy\">\
              {}</a></li>\n",
-            words::ending(),
+            language::ending(),
             escape(&self.title)
         )
     }
@@ -285,7 +290,7 @@ impl<'a> Landing<'a> {
 /// An exercise that asks for the rules, for systems with few rules that each picture decides.
 fn own_exercise(entry: &Entry) -> Option<String> {
     let Entry { definition, system, .. } = entry;
-    if kind(system) != "deterministic" || definition.rules.lines().count() > MOST_RULES {
+    if kind(system) != "deterministic" || definition.rules.lines().count() > MAX_RULES {
         return None;
     }
     let exercise = Exercise { title: definition.label().to_owned(), target: definition.clone(), ..Exercise::default() };
@@ -330,10 +335,10 @@ fn index(template: &str, shelves: &[Shelf], cards: &HashMap<String, String>, sou
     let address = |part: &str| {
         format!("{site}{FOLDER}/{}", if part.is_empty() { String::new() } else { format!("index.{part}html") })
     };
-    let own = address(&others(words::language()));
+    let own = address(&others(language::language()));
     let others = alternates(sources.languages, address);
     let head = format!("<link rel=\"canonical\" href=\"{own}\">\n{others}");
-    let language = words::language();
+    let language = language::language();
     Page { docs: "../docs/", name: "", title, description, head: &head, language, body: &body }.fill(template)
 }
 
@@ -373,7 +378,7 @@ mod tests {
             angle: 25.7,
             ..Definition::default()
         };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let figure = Figure::draw(&system, definition.iterations, &Limits::default()).unwrap();
         Entry { path: "a/b.json".into(), definition, system, figure }
     }
@@ -428,7 +433,7 @@ mod tests {
         let mut entry = entry();
         assert!(own_exercise(&entry).is_some());
         entry.definition.rules = "F -> F[+F]F : 1\nF -> FF : 1".into();
-        entry.system = System::new(&entry.definition).0.unwrap();
+        entry.system = System::new(&entry.definition).unwrap();
         assert_eq!(own_exercise(&entry), None);
     }
 

@@ -13,7 +13,7 @@ mod docs;
 mod exercises;
 mod gallery;
 mod landing;
-mod words;
+mod language;
 
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
@@ -49,7 +49,7 @@ fn in_all_languages(root: &Path, make: impl Fn(Option<&Path>) -> Result<()>) -> 
     make(None)?;
     let folder = root.join("www/lang");
     lsystem_catalogue::languages(&folder)?.iter().try_for_each(|language| {
-        words::choose(&folder.join(language))?;
+        language::choose(&folder.join(language))?;
         make(Some(&folder.join(language).join("docs")))
     })
 }

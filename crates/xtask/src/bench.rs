@@ -51,13 +51,8 @@ pub(crate) fn bench(workspace: &Workspace, parts: &[Part]) -> Result<()> {
         browser(workspace, "pictures".as_ref())?;
     }
     if has(Part::Find) {
-        workspace.run(&mut workspace.cargo([
-            "run",
-            "--quiet",
-            "--release",
-            "--package=lsystem-find",
-            "--example=table",
-        ]))?;
+        let table = ["run", "--quiet", "--release", "--package=lsystem-find", "--example=table"];
+        workspace.run(&mut workspace.cargo(table))?;
     }
     if has(Part::Plot) {
         outside::bench(workspace)?;
@@ -75,23 +70,13 @@ fn browser(workspace: &Workspace, results: &OsStr) -> Result<()> {
     let browser = tools::browser()?;
     let folder = workspace.root.join("crates/bench");
     page::packages(&folder)?;
-    workspace.run(&mut workspace.cargo([
-        "build",
-        "--profile=wasm",
-        "--lib",
-        "--package=bench",
-        "--target",
-        tools::WASM_TARGET,
-    ]))?;
+    let words = ["build", "--profile=wasm", "--lib", "--package=bench", "--target", tools::WASM_TARGET];
+    workspace.run(&mut workspace.cargo(words))?;
     let generated = workspace.target.join("bench");
-    bindgen::generate(&workspace.target.join(tools::WASM_TARGET).join("wasm/bench.wasm"), &generated, "bench")?;
+    bindgen::generate(&workspace.target.join(tools::WASM_TARGET).join("wasm/bench.wasm"), &generated, "bench", false)?;
     let temporary = tempfile::tempdir()?;
-    workspace.run(
-        Command::new(tools::node()?)
-            .arg("web/run.mjs")
-            .args([generated.join("bench.js").as_os_str(), generated.join("bench_bg.wasm").as_os_str(), results])
-            .current_dir(folder)
-            .env("CHROMIUM", browser.chromium)
-            .env("TMPDIR", temporary.path()),
-    )
+    let mut command = Command::new(tools::node()?);
+    command.arg("web/run.mjs").args(["bench.js", "bench_bg.wasm"].map(|name| generated.join(name))).arg(results);
+    command.env("CHROMIUM", browser.chromium).env("TMPDIR", temporary.path());
+    workspace.run(command.current_dir(folder))
 }

@@ -34,7 +34,9 @@ impl Kind {
 }
 
 /// The classic scripts of the pages.
-const SCRIPTS: [&str; 4] = ["js/early.js", "js/exercise/lesson.js", "l-system.js", "service-worker.js"];
+const SCRIPTS: [&str; 5] = ["js/early.js", "js/exercise/lesson.js", PACKED, "l-system.js", "service-worker.js"];
+/// The script of packages for learning systems, which stands in their page.
+const PACKED: &str = "js/exercise/packed.js";
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
@@ -118,20 +120,17 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         joined(scripts)
     })?;
     split::split_core(workspace, kind, site)?;
-    files::write(&site.join(steps_page::NAME), steps_page::make(site, "course.html")?)?;
-    let (index, embed) = ("index.html", site.join("embed.html"));
+    split::split_tools(workspace, kind, site)?;
+    let steps = steps_page::make(site, "course.html", |styles| esbuild.minified("styles.css", styles))?;
+    files::write(&site.join(steps_page::NAME), steps)?;
+    fs::remove_file(site.join(PACKED))?;
+    let index = "index.html";
     let whole = fs::read_to_string(site.join(index))?;
-    let exercise = site.join("exercise.html");
-    let text = html::include(&fs::read_to_string(&exercise)?, "embed.html", &fs::read_to_string(&embed)?)?;
-    files::write(&exercise, text)?;
     let include_index = |file: &Path| files::write(file, html::include(&fs::read_to_string(file)?, index, &whole)?);
-    [&exercise, &site.join("film.html"), &embed].into_iter().try_for_each(|file| include_index(file))?;
+    include_frames(site)?;
     // These pages become single files, with the files that they would fetch inside.
-    let of = |name: &str| -> Vec<String> {
-        let found = wasms::WASMS.iter().filter(|wasm| wasm.name == name);
-        found.flat_map(|wasm| [wasm.script.to_owned(), wasm.file()]).collect()
-    };
-    let engine = || [of("lsystem"), vec![split::REST.to_owned()]].concat();
+    let of = |name: &str| vec![format!("{name}.js"), format!("{name}.wasm")];
+    let engine = || vec!["worker.js".to_owned(), "lsystem.wasm".to_owned(), split::REST.to_owned()];
     let all = [engine(), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
     let marking = [engine(), of("course"), vec!["exercises.json".to_owned()]].concat();
     let (drawing, playing) = (engine(), of("film"));
@@ -150,8 +149,9 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         let texts = threads.into_iter().map(joined).collect::<Result<Vec<_>>>()?;
         single.iter().zip(texts).try_for_each(|((_, file, ..), text)| files::write(&site.join(file), text))
     })?;
-    // Nobody fetches what the page of films carries.
-    playing.iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
+    // On the site, tools are in parts.
+    let carried = split::ALONE.iter().flat_map(|tool| of(tool)).chain(["tools.wasm".to_owned()]);
+    carried.into_iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
     stable::write(site)?;
     make("documents")?;
     let documents = site.join("docs");
@@ -170,6 +170,17 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
     let carried = notices::notices(workspace, &wasms::PACKAGES, tools::WASM_TARGET, true)?;
     files::write(&site.join(notices::FILE), carried)?;
     offline::list_files(site, &scripts)
+}
+
+/// Puts what pages share into those for frames: `embed.html` has it from `index.html`, and the others from both.
+fn include_frames(site: &Path) -> Result<()> {
+    let all = [("embed", "index"), ("exercise", "embed"), ("film", "embed"), ("exercise", "index"), ("film", "index")];
+    for (page, from) in all {
+        let [page, other] = [page, from].map(|name| site.join(name).with_extension("html"));
+        let text = html::include(&fs::read_to_string(&page)?, &format!("{from}.html"), &fs::read_to_string(other)?)?;
+        files::write(&page, text)?;
+    }
+    Ok(())
 }
 
 /// The result of a thread.
@@ -238,6 +249,42 @@ mod tests {
         ] {
             assert!(!is_shipped(Path::new(path)), "{path}");
         }
+    }
+
+    /// A page that needs another policy is told here.
+    #[test]
+    fn pages_have_one_policy() -> Result<()> {
+        let (www, site) = (Workspace::find()?.www(), tempfile::tempdir()?);
+        page(&www, site.path())?;
+        include_frames(site.path())?;
+        let policies = |text: &str| {
+            let found = text.split("<meta http-equiv=\"Content-Security-Policy\" content=\"").skip(1);
+            found.map(|rest| rest.split('"').next().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+        };
+        let shared = policies(&fs::read_to_string(www.join("index.html"))?);
+        assert_eq!(shared.len(), 1);
+        for file in files::list(&www, |path| !path.ends_with("node_modules") && !path.ends_with("js"))? {
+            let name = file.strip_prefix(&www)?;
+            let built = site.path().join(name);
+            let own = match name.to_str() {
+                _ if name.extension().is_none_or(|ending| ending != "html") => continue,
+                // Examples for pages of others, which have the policies of their sites.
+                Some("course.html" | "simple.html") => vec![],
+                // Documents run no scripts and show drawings in frames.
+                Some("docs/page.html") => vec![
+                    "default-src 'self'; script-src 'none'; frame-src 'self'; object-src 'none'; base-uri 'none'; \
+                     form-action 'none'"
+                        .to_owned(),
+                ],
+                _ => shared.clone(),
+            };
+            assert_eq!(
+                policies(&fs::read_to_string(if built.exists() { built } else { file.clone() })?),
+                own,
+                "{name:?}"
+            );
+        }
+        Ok(())
     }
 
     #[test]

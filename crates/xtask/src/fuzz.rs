@@ -50,10 +50,10 @@ pub(crate) fn fuzz(workspace: &Workspace, mut options: FuzzOptions) -> Result<()
     workspace.run(&mut command)
 }
 
-/// The short run of the tests, always with the same inputs; ten times as many where it is thorough.
+/// The short run of the tests, always with the same inputs; thirty times as many where it is thorough.
 pub(crate) fn short(workspace: &Workspace, program: &Path, is_thorough: bool) -> Result<()> {
     let mut command = Command::new(program);
-    command.args(is_thorough.then_some(["--times", "10"]).into_iter().flatten());
+    command.args(is_thorough.then_some(["--times", "30"]).into_iter().flatten());
     workspace.run(command.args(["--short", "--patient", "--findings"]).arg(workspace.target.join("fuzz/findings")))
 }
 
@@ -82,14 +82,9 @@ fn guided(workspace: &Workspace, targets: &[String], seconds: f64) -> Result<()>
     // With `--target`, Cargo compiles build scripts without the counters, which they could not link.
     let what = ["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz", "--bin=guided", "--features=guided"];
     let folder = workspace.target.join("fuzz/guided");
-    workspace.run(
-        workspace
-            .cargo(what)
-            .args(["--target", host])
-            .arg("--target-dir")
-            .arg(&folder)
-            .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}")),
-    )?;
+    let mut command = workspace.cargo(what);
+    command.args(["--target", host, "--target-dir"]).arg(&folder);
+    workspace.run(command.env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}")))?;
     let program = folder.join(host).join("fuzz/guided");
     let findings = workspace.target.join("fuzz/findings");
     let mut failed = vec![];
@@ -101,7 +96,7 @@ fn guided(workspace: &Workspace, targets: &[String], seconds: f64) -> Result<()>
         let mut command = Command::new(&program);
         command.arg(&corpus).arg(format!("-artifact_prefix={}/{target}-", findings.display()));
         command.arg(format!("-max_total_time={}", seconds.ceil()));
-        command.args(["-max_len=4096", "-timeout=10", "-rss_limit_mb=3072", "-print_final_stats=1", "-verbosity=0"]);
+        command.args(["-max_len=4096", "-rss_limit_mb=3072", "-print_final_stats=1", "-verbosity=0"]);
         if workspace.run(command.env("LSYSTEM_FUZZ", target)).is_err() {
             failed.push(target.as_str());
         }

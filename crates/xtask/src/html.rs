@@ -17,18 +17,25 @@ pub(crate) fn rewrite<'h>(page: &str, handlers: impl IntoIterator<Item = Handler
     Ok(rewrite_str(page, settings)?)
 }
 
-/// Replaces comments such as `<!-- index.html#reader -->` by the named elements of another page. `name` is the other
-/// page's file name, `other` its text.
+/// Replaces comments such as `<!-- index.html#reader -->` by the named elements of another page, or by what stands there
+/// between `<!-- reader -->` and `<!-- /reader -->`. `name` is the other page's file name, `other` its text.
 pub(crate) fn include(page: &str, name: &str, other: &str) -> Result<String> {
     let replace = doc_comments!(|comment| {
         let text = comment.text();
         if let Some(id) = text.trim().strip_prefix(name).and_then(|id| id.strip_prefix('#')) {
-            let found = whole(other, id)?.with_context(|| format!("{name} has no whole element #{id}"))?;
+            let found = whole(other, id)?.or_else(|| between(other, id));
+            let found = found.with_context(|| format!("{name} has no whole element #{id}"))?;
             comment.replace(found, ContentType::Html);
         }
         Ok(())
     });
     Ok(rewrite_str(page, RewriteStrSettings::new().append_document_content_handler(replace))?)
+}
+
+/// The text between two comments.
+fn between<'a>(page: &'a str, name: &str) -> Option<&'a str> {
+    let (_, after) = page.split_once(&format!("<!-- {name} -->\n"))?;
+    Some(after.split_once(&format!("\n<!-- /{name} -->"))?.0)
 }
 
 /// The text of an element with its tags.
@@ -86,6 +93,8 @@ mod tests {
         let page = include("<p><!-- o.html#a --></p><!-- o.html#b -->", "o.html", other).unwrap();
         assert_eq!(page, "<p><section id=\"a\"><section>1</section><p>2</section></p><section id=\"b\"></section>");
         assert!(include("<!-- o.html#c -->", "o.html", other).is_err());
+        let head = include("<!-- o.html#c -->.", "o.html", "<!-- c -->\n<meta id=d>\n<p>\n<!-- /c -->").unwrap();
+        assert_eq!(head, "<meta id=d>\n<p>.");
         assert!(include("<!-- o.html#a -->", "o.html", "<section id=\"a\">").is_err());
     }
 

@@ -7,16 +7,14 @@ use crate::{files, page, tools};
 use anyhow::{Result, ensure};
 use std::process::Command;
 
-const STRICT: [&str; 3] = ["--", "-D", "warnings"];
-
 /// All that `cargo xtask lint` looks at.
 pub(crate) fn lint(workspace: &Workspace) -> Result<()> {
     let report = Report::new(workspace, "lint");
     formatting(workspace, &report);
     scripts(workspace, &report);
     workflows(workspace, &report);
-    native(workspace, &report);
-    report.step(workspace, "clippy for the measurements", |workspace, _| clippy(workspace, &["--package", "bench"]));
+    native(workspace, &report, true);
+    report.step(workspace, "clippy for the measurements", |workspace, _| clippy(workspace, &["--package=bench"]));
     report.finish()
 }
 
@@ -47,16 +45,21 @@ pub(crate) fn workflows(workspace: &Workspace, report: &Report) {
     });
 }
 
-pub(crate) fn native(workspace: &Workspace, report: &Report) {
+/// Clippy, unless it looks at what is compiled for the tests, and where all shall be seen the documentation of all crates.
+/// Examples in the documentation are tested elsewhere.
+pub(crate) fn native(workspace: &Workspace, report: &Report, is_all: bool) {
     // Without the measurements: the libraries beside which they measure take as long as ours.
-    report.step(workspace, "clippy", |workspace, _| clippy(workspace, &CRATES));
-    report.step(workspace, "documentation", |workspace, _| {
-        let words = ["doc", "--no-deps", "--workspace", "--exclude", "bench"];
-        workspace.run(workspace.cargo(words).env("RUSTDOCFLAGS", "-D warnings"))
-    });
+    if !workspace.lints {
+        report.step(workspace, "clippy", |workspace, _| clippy(workspace, &CRATES));
+    }
+    if is_all {
+        report.step(workspace, "documentation", |workspace, _| {
+            workspace.run(workspace.cargo(["doc", "--no-deps"]).args(CRATES).env("RUSTDOCFLAGS", "-D warnings"))
+        });
+    }
 }
 
 /// Clippy for the crates that these words choose.
 pub(crate) fn clippy(workspace: &Workspace, which: &[&str]) -> Result<()> {
-    workspace.run(workspace.cargo(["clippy", "--all-targets"]).args(which).args(STRICT))
+    workspace.run(workspace.cargo(["clippy", "--all-targets"]).args(which).args(["--", "-D", "warnings"]))
 }

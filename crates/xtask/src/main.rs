@@ -41,41 +41,47 @@ use workspace::Workspace;
 /// Needs: Rust by rustup (the wasm target is added when missing), Node.js 20 or newer with npm; for test, bench and
 /// monkey also Chromium and ChromeDriver (installed when missing where this runs as root on Debian); for test and outside
 /// Python 3.11 or newer, and ffmpeg, poppler-utils and LaTeX with TikZ where they are installed.
+///
+/// Minutes in brackets are about those of two cores after the first compilation, which takes ten.
 #[derive(Parser)]
 #[command(name = "cargo xtask")]
 enum Command {
-    /// The page, ready to be put on any static host under any path: dist/
+    /// The page, ready to be put on any static host under any path: dist/ (3; without changes of the core 1)
     Build(build::BuildOptions),
-    /// The page, and the program lsys with pages inside: target/release/lsys
+    /// The page, and the program lsys with pages inside: target/release/lsys (8)
     Program,
-    /// Build a draft of the page quickly, and serve it on this machine
+    /// Build a draft of the page quickly, and serve it on this machine (1; 2 on a new machine)
     Serve(serve::ServeOptions),
-    /// All checks before a merge; `test quick` while working
+    /// All checks before a merge (12, and less for what has passed); `test quick` while working (2)
     Test(test::TestOptions),
-    /// Formatting, clippy and documentation; warnings are errors
+    /// Formatting, clippy and documentation; warnings are errors (2)
     Lint,
-    /// What the project costs its users and developers, beside its limits: crates/xtask/ledger.md
+    /// What the project costs its users and developers, beside its limits: crates/xtask/ledger.md (0)
     Ledger(ledger::LedgerOptions),
-    /// Open files of all formats with programs of other people, and compare what they find with what lsys tells
+    /// Open files of all formats with programs of other people, and compare what they find with what lsys tells (1)
     Outside,
     /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/; their
-    /// interfaces compared with an older revision, and their documentation as docs.rs makes it
+    /// interfaces compared with an older revision, and their documentation as docs.rs makes it (6)
     Package(package::PackageOptions),
-    /// The page, and the Python package ready for `maturin build`: crates/lsystem-python/
+    /// The page, and the Python package ready for `maturin build`: crates/lsystem-python/ (3)
     Python,
     /// Update the tables in www/js, the JSON Schema of files and the types of the npm package from the tables of the core,
-    /// and www/js/messages.d.ts from the messages of the boundary; tests fail when the files are out of date
+    /// and www/js/messages.d.ts from the messages of the boundary; tests fail when the files are out of date (2)
     Tables,
-    /// Try random inputs
+    /// Try random inputs (as many as asked for; 1)
     Fuzz(fuzz::FuzzOptions),
-    /// Compare speed with other implementations
+    /// Compare speed with other implementations (30)
     Bench {
         /// All parts if none is named
         parts: Vec<bench::Part>,
     },
-    /// Random actions on the page and on embedded drawings
-    Monkey(monkey::MonkeyOptions),
-    /// Check that tests detect changes of the core's code: a fixed sample of mutants, `--all` of them, or those that
+    /// Random actions on the page and on embedded drawings (as many as asked for): `--minutes M`, `--seed S` and with it
+    /// `--actions N` for equal actions, `--verbose` to print each
+    Monkey {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        words: Vec<String>,
+    },
+    /// Check that tests detect changes of the core's code: a fixed sample of mutants (60), `--all` of them, or those that
     /// arguments of cargo-mutants choose, such as `--shard 3/40` or `--file drawing/hull.rs`
     Mutants {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
@@ -113,7 +119,7 @@ fn run() -> Result<()> {
         }
         Command::Fuzz(options) => fuzz::fuzz(workspace, options),
         Command::Bench { parts } => bench::bench(workspace, &parts),
-        Command::Monkey(options) => monkey::monkey(workspace, &options),
+        Command::Monkey { words } => monkey::monkey(workspace, &words),
         Command::Mutants { words } => mutants::mutants(workspace, &words),
     }
 }
@@ -131,12 +137,13 @@ mod tests {
             "test page native --all --thorough",
             "serve --port 80 --watch",
             "mutants --shard 3/9",
+            "monkey --seed 3 --actions 3",
             "build --site",
             "build --site https://a.example/l/",
         ] {
             Command::try_parse_from(["xtask"].into_iter().chain(right.split(' '))).unwrap();
         }
-        for wrong in ["test pages", "serve now", "fuzz --minutes x", "monkey --actions 3"] {
+        for wrong in ["test pages", "serve now", "fuzz --minutes x"] {
             assert!(Command::try_parse_from(["xtask"].into_iter().chain(wrong.split(' '))).is_err(), "{wrong}");
         }
     }

@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
-/// Files that are useless offline or that repeat the others.
-const LEFT_OUT: [&str; 4] = [WORKER, "playground.html", "sitemap.xml", "llms.txt"];
+/// Files that are useless offline or that repeat the others, and an example for those who build pages.
+const LEFT_OUT: [&str; 6] = [WORKER, "playground.html", "sitemap.xml", "llms.txt", "simple.html", "core.js"];
 /// How the paths of such files begin: pages for those who do not know the playground yet, and pictures for installers.
 const BEGINNINGS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screen-"];
 

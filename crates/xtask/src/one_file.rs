@@ -1,6 +1,6 @@
 //! Pages as a single file: such a page works from a disk, in frames without an origin, and at any address.
 //!
-//! The file contains styles, scripts, icons and the files that the page would fetch (`www/js/files.js` reads them
+//! The file contains styles, scripts, icons and the files that the page would fetch (`www/js/base/files.js` reads them
 //! there). Links to documents are left out, because the file may stand alone. The page's content security policy allows
 //! its own scripts and styles by hash and forbids everything else, above all requests: frames of the site may fetch the
 //! words of the reader's language there.

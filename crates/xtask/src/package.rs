@@ -51,7 +51,7 @@ fn folder(workspace: &Workspace) -> PathBuf {
 /// Compiles the wasm of the npm package.
 pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
     tools::wasm_target()?;
-    wasms::compile_one(workspace, kind, LIBRARY, None)
+    wasms::compile_one(workspace, kind, LIBRARY, &[wasms::ONCE])
 }
 
 /// The compiled wasm of the npm package.
@@ -134,6 +134,7 @@ fn published(workspace: &Workspace) -> Result<Vec<Published>> {
 /// Packs the crates and does all that publishing does before it uploads. Crates of this workspace that use each other
 /// are found here. They are not compiled once more from their packages.
 fn dry_run(workspace: &Workspace) -> Result<()> {
+    catalogues(workspace)?;
     let words = ["publish", "--dry-run", "--no-verify", "--allow-dirty", "--workspace"];
     workspace.run(&mut workspace.cargo(words))
 }
@@ -165,6 +166,14 @@ fn documentation(workspace: &Workspace, crates: &[Published]) -> Result<()> {
     workspace.run(command.env("RUSTDOCFLAGS", "--cfg docsrs -D warnings"))
 }
 
+/// Puts the page's catalogues beside the program, whose package carries them.
+fn catalogues(workspace: &Workspace) -> Result<()> {
+    let page = workspace.www().join("lang");
+    let words = files::list(&page, |path| path.extension().is_none() || path.ends_with("words.json"))?;
+    let own = workspace.root.join("crates/lsys/lang");
+    words.iter().try_for_each(|file| copy(file, &own.join(file.strip_prefix(&page)?)))
+}
+
 fn copy(from: &Path, to: &Path) -> Result<()> {
     files::write(to, fs::read(from)?)
 }
@@ -183,6 +192,20 @@ mod tests {
         ] {
             assert!(text.lines().any(|own| own == line), "{line}");
         }
+        let readme = fs::read_to_string(Workspace::find().unwrap().root.join("README.md")).unwrap();
+        let start: String = readme.lines().take(3).collect();
+        assert!(start.contains(concat!("](", env!("CARGO_PKG_HOMEPAGE"))), "{start}");
+    }
+
+    #[test]
+    fn the_package_of_the_program_carries_the_languages() {
+        let workspace = Workspace::find().unwrap();
+        catalogues(&workspace).unwrap();
+        let words = ["package", "--package=lsystem-cli", "--list", "--allow-dirty", "--offline"];
+        let packed = output(&mut workspace.cargo(words)).unwrap();
+        for language in ["de", "fr"] {
+            assert!(packed.lines().any(|file| file == format!("lang/{language}/words.json")), "{packed}");
+        }
     }
 
     #[test]
@@ -193,7 +216,8 @@ mod tests {
         for entry in fs::read_dir(Workspace::find().unwrap().root.join("crates")).unwrap() {
             let folder = entry.unwrap();
             let name = folder.file_name().into_string().unwrap();
-            let is_inner = development.contains(&name.as_str()) || name.ends_with("-wasm") || name.ends_with("-python");
+            let ours = ["-js", "-wasm", "-python"].iter().any(|ending| name.ends_with(ending));
+            let is_inner = ours || development.contains(&name.as_str());
             let manifest = fs::read_to_string(folder.path().join("Cargo.toml")).unwrap();
             let is_published = names.iter().any(|name| manifest.contains(&format!("[package]\nname = \"{name}\"\n")));
             assert_ne!(is_inner, is_published, "{name}");

@@ -51,7 +51,8 @@ pub(crate) fn unit(workspace: &Workspace, cases: Option<&str>) -> Result<()> {
     workspace.run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(&www).envs(cases))
 }
 
-/// Runs tests of a built page in a browser: these files of `test/e2e`, or all if none is named.
+/// Runs tests of a built page in a browser: these files of `test/e2e`, or all if none is named; `--thorough` before them
+/// tries all variants.
 pub(crate) fn end_to_end(workspace: &Workspace, kind: Kind, names: &[&str], report: &Report) -> Result<()> {
     let times = tempfile::NamedTempFile::new()?;
     let result = with_page(workspace, kind, |node| {

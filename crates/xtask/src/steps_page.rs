@@ -1,7 +1,8 @@
 //! `package.html`: the lesson's page in one file, which packages for learning systems are made of.
 //!
 //! It shows exercises in frames of `exercise.html` beside it. What only the site has is left out: elements of the class
-//! `of-site`. The policy allows the scripts inside and frames of the same place, and forbids all requests.
+//! `of-site`. `data-packed` names a script in place of the site's. The policy allows the scripts inside and frames of the
+//! same place, and forbids all requests.
 
 use crate::{html, one_file};
 use anyhow::{Context, Result, ensure};
@@ -14,9 +15,12 @@ use std::path::Path;
 /// The file of the page on the site.
 pub(crate) const NAME: &str = "package.html";
 
-/// Makes the page of steps of the lesson's page on the site.
-pub(crate) fn make(site: &Path, lesson: &str) -> Result<String> {
+/// Makes the page of steps of the lesson's page on the site. `minified` are styles in fewer bytes.
+pub(crate) fn make(site: &Path, lesson: &str, minified: impl Fn(&str) -> Result<String>) -> Result<String> {
     let text = fs::read_to_string(site.join(lesson))?;
+    let (head, rest) = text.split_once("<style>").context("no styles")?;
+    let (styles, body) = rest.split_once("</style>").context("no end of the styles")?;
+    let text = format!("{head}<style>{}</style>{body}", minified(styles)?);
     let hashes = RefCell::new(vec![]);
     let page = html::rewrite(
         &text,
@@ -26,7 +30,9 @@ pub(crate) fn make(site: &Path, lesson: &str) -> Result<String> {
                 Ok(())
             }),
             element!("script[src]", |script| {
-                let script_text = fs::read_to_string(site.join(script.get_attribute("src").context("a script")?))?;
+                let packed = script.get_attribute("data-packed").or_else(|| script.get_attribute("src"));
+                let script_text = fs::read_to_string(site.join(packed.context("a script")?))?;
+                script.remove_attribute("data-packed");
                 let text = one_file::checked(script_text)?;
                 script.remove_attribute("src");
                 script.set_inner_content(&text, ContentType::Html);
@@ -62,7 +68,7 @@ mod tests {
     use crate::files;
 
     const LESSON: &str = "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>T</title>\
-        <link rel=\"icon\" href=\"icons/a.svg\"><script src=\"a.js\"></script></head>\n<body><header class=\"top of-site\">\
+        <style>\n    a {}</style><link rel=\"icon\" href=\"icons/a.svg\"><script src=\"a.js\"></script></head>\n<body><header class=\"top of-site\">\
         <a href=\"./\">H</a></header><h1>T</h1><!-- steps --><p>S</p><!-- /steps --></body></html>\n";
 
     #[test]
@@ -71,12 +77,13 @@ mod tests {
         let site = folder.path();
         let make = |lesson: &str| {
             files::write(&site.join("course.html"), lesson).unwrap();
-            make(site, "course.html")
+            make(site, "course.html", |styles| Ok(styles.replace("\n    ", "")))
         };
         files::write(&site.join("a.js"), "a()").unwrap();
         let page = make(LESSON).unwrap();
         for part in [
             "<script>a()</script>",
+            "<style>a {}</style>",
             "<!-- steps --><p>S</p><!-- /steps -->",
             &format!("script-src {};", one_file::hash("a()")),
             "default-src 'none'",

@@ -19,6 +19,8 @@ pub(crate) struct Workspace {
     log: Option<PathBuf>,
     /// How long a program may run before it is ended.
     pub(crate) deadline: Duration,
+    /// Whether clippy looks at what Cargo compiles; as a step of its own, it compiles all libraries once more.
+    pub(crate) lints: bool,
     /// The processor time of the programs that have run.
     pub(crate) spent: Spent,
 }
@@ -29,7 +31,7 @@ impl Workspace {
         let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
         let root = root.ancestors().nth(2).context("xtask is not in crates/")?.to_owned();
         let (deadline, spent) = (Duration::MAX, Spent::default());
-        let mut workspace = Self { target: PathBuf::new(), root, log: None, deadline, spent };
+        let mut workspace = Self { target: PathBuf::new(), root, log: None, deadline, lints: false, spent };
         let target = workspace.metadata()?["target_directory"].as_str().context("cargo names no target folder")?.into();
         workspace.target = target;
         Ok(workspace)
@@ -56,6 +58,11 @@ impl Workspace {
     pub(crate) fn cargo<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
         let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         command.args(words).current_dir(&self.root);
+        if self.lints {
+            // As `cargo clippy -- -D warnings` does it, but with code for the tests to run.
+            let driver = PathBuf::from(command.get_program()).with_file_name("clippy-driver");
+            command.env("RUSTC_WORKSPACE_WRAPPER", driver).env("CLIPPY_ARGS", "-Dwarnings__CLIPPY_HACKERY__");
+        }
         command
     }
 

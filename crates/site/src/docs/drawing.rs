@@ -71,12 +71,11 @@ fn check(values: &[(String, String)]) -> Result<()> {
             spec.set(&mut definition, &value);
         }
     }
-    let (system, problems) = System::new(&definition);
-    if let Some(problem) = problems.first() {
+    if let Some(problem) = System::problems(&definition).first() {
         let text = definition.text(problem.field).unwrap_or_default();
         bail!("the drawing has a problem\n{}", render_diagnostic(problem, "drawing", text));
     }
-    ensure!(system.is_some() && !definition.axiom.is_empty(), "the drawing has no system");
+    ensure!(!definition.axiom.is_empty(), "the drawing has no system");
     Ok(())
 }
 

@@ -1,6 +1,6 @@
-//! The shelves of the gallery, read from the table of the page, `www/js/shelves.js`.
+//! The shelves of the gallery, read from the table of the page, `www/js/shelves.json`.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use jsonc_parser::ast::Value;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
@@ -11,9 +11,7 @@ pub(crate) struct Shelf {
 }
 
 /// All shelves, in order.
-pub(crate) fn read(script: &str) -> Result<Vec<Shelf>> {
-    let table = script.split_once("export const SHELVES = ").context("there is no table of shelves")?.1;
-    let table = table.split_once(";\n").context("the table of shelves does not end")?.0;
+pub(crate) fn read(table: &str) -> Result<Vec<Shelf>> {
     let parsed = parse_to_ast(table, &CollectOptions::default(), &ParseOptions::default())?;
     let Some(Value::Object(shelves)) = parsed.value else { anyhow::bail!("the shelves are no table") };
     let shelves = shelves.properties.into_iter().map(|shelf| {
@@ -30,9 +28,9 @@ mod tests {
 
     #[test]
     fn reads_the_table_of_the_page() {
-        let shelves = read("x\nexport const SHELVES = {\n    'In space': {\n        'a/b': 'Trees',\n        'a/c': '',\n    },\n    Trees: {},\n};\nrest").unwrap();
+        let shelves = read(r#"{"In space": {"a/b": "Trees", "a/c": ""}, "Trees": {}}"#).unwrap();
         let found: Vec<_> = shelves.iter().map(|shelf| (&*shelf.name, shelf.paths.join(" "))).collect();
         assert_eq!(found, [("In space", "a/b a/c".to_owned()), ("Trees", String::new())]);
-        assert!(read("const SHELVES = 1").is_err());
+        assert!(read("1").is_err());
     }
 }

@@ -27,7 +27,7 @@ const FIREFOX: &str = "core of the page in Firefox";
 pub(crate) enum Part {
     /// What a change of one crate or of the page can break, without what takes long.
     Quick,
-    /// Formatting, clippy and documentation; warnings are errors.
+    /// Formatting and clippy, where thorough also documentation; warnings are errors.
     Lint,
     /// The tests of all crates.
     Native,
@@ -51,7 +51,8 @@ pub(crate) struct TestOptions {
     /// Run what passed as it is, too; always so in continuous integration
     #[arg(long)]
     all: bool,
-    /// Large truth tests at their full size, 10,000 new random systems in property tests, a minute of the monkey
+    /// All variants and samples of tests, 10,000 new random systems in property tests, documentation, a
+    /// minute of the monkey
     #[arg(long)]
     thorough: bool,
 }
@@ -75,12 +76,15 @@ impl TestOptions {
 pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
     let all = options.all || options.thorough || std::env::var_os("CI").is_some();
     let passed = Passed::read(workspace.target.join("test/passed.txt"), all);
-    let report = Report::new(workspace, "test");
-    let report = if options.thorough { report.patient() } else { report };
+    let report = Report::new(workspace, "test").patient(options.thorough);
     if options.has(Part::Quick) {
         quick::run(workspace, &passed, &report)?;
         return report.finish();
     }
+    // What is compiled for the tests is compiled once, with the lints.
+    let mut workspace = workspace.clone();
+    workspace.lints = options.has(Part::Lint) && options.has(Part::Native);
+    let workspace = &workspace;
     // Only a whole run that compiles everything tells what the test costs.
     let is_cold = all && options.parts.is_empty() && !workspace.target.join(tools::WASM_TARGET).exists();
     thread::scope(|scope| {
@@ -109,7 +113,7 @@ fn native_lane(workspace: &Workspace, options: &TestOptions, passed: &Passed, re
         });
     }
     if options.has(Part::Lint) {
-        lint::native(workspace, report);
+        lint::native(workspace, report, options.thorough);
     }
     if let Some(built) = &built {
         run_native(workspace, options, built, passed, report);
@@ -183,7 +187,7 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
     });
     step(page::UNIT, &["www", "data_in"], &|workspace| page::unit(workspace, options.cases()));
     step("end-to-end tests of the page", &["www", "dist", "crates/lsystem/tests/data"], &|workspace| {
-        page::end_to_end(workspace, Kind::Shipped, &[], report)
+        page::end_to_end(workspace, Kind::Shipped, options.thorough.then_some("--thorough").as_slice(), report)
     });
     match tools::firefox() {
         Some(firefox) => step(FIREFOX, &["www/test/firefox", "dist"], &|workspace| page::firefox(workspace, &firefox)),
@@ -193,7 +197,7 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
         )),
     }
     if options.thorough {
-        let one_minute = monkey::MonkeyOptions::one_minute();
+        let one_minute = monkey::ONE_MINUTE.map(str::to_owned);
         step("a minute of the monkey", &["dist"], &|workspace| monkey::run(workspace, &one_minute));
     }
 }

@@ -33,8 +33,7 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
             let built = native::build(workspace)?;
             native::run(workspace, &built, passed, None, true, (report, bar))
         });
-        is_right &=
-            report.step(workspace, "clippy for what has changed", |workspace, _| lint::clippy(workspace, &packages));
+        is_right &= report.step(workspace, "clippy for what has changed", |w, _| lint::clippy(w, &packages));
     }
     let reads = ["www/js", "www/worker", "www/test/unit", "www/index.html", "www/package.json", "data_in"];
     let reads = reads.map(|name| workspace.root.join(name));

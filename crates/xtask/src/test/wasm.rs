@@ -25,11 +25,10 @@ fn digests(workspace: &Workspace) -> PathBuf {
 /// its crate.
 pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
     tools::wasm_target()?;
-    // `--tests` leaves out examples in the documentation, which run natively. All boundaries together, so that they
-    // share their libraries with the page that `serve` builds.
+    // `--tests` leaves out examples in the documentation, which run natively. The libraries are those of the npm package.
     let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
     let packages = PACKAGES.iter().flat_map(|package| ["--package", package]);
-    let mut command = wasms::cargo(workspace, words.into_iter().chain(packages));
+    let mut command = wasms::cargo(workspace, words.into_iter().chain([wasms::ONCE]).chain(packages));
     if let Ok(digests) = fs::read_to_string(digests(workspace)) {
         command.env("LSYSTEM_SAME_BITS", digests);
     }

@@ -11,10 +11,10 @@ pub(crate) const SIZE: [u32; 2] = [1200, 630];
 /// The numbers of colours to try until a picture is small enough.
 const COLOURS: [usize; 3] = [64, 32, 16];
 /// Some chat programs show no larger pictures, in bytes.
-const MOST_BYTES: usize = 300_000;
+const MAX_BYTES: usize = 300_000;
 /// The units of work of a step, and of all steps of a picture: some ten seconds.
 const STEP: u64 = 1 << 18;
-const MOST_WORK: u64 = 1 << 32;
+const MAX_WORK: u64 = 1 << 32;
 /// One pixel in so many is read to choose the colours.
 const SAMPLING: i32 = 10;
 
@@ -23,11 +23,11 @@ pub(crate) fn picture(entry: &Entry) -> Result<Vec<u8>> {
     let pixels = paint(entry)?;
     for colours in COLOURS {
         let file = encode(entry, &pixels, colours)?;
-        if file.len() <= MOST_BYTES {
+        if file.len() <= MAX_BYTES {
             return Ok(file);
         }
     }
-    anyhow::bail!("{} has too large a picture: more than {MOST_BYTES} bytes in {COLOURS:?} colours", entry.path)
+    anyhow::bail!("{} has too large a picture: more than {MAX_BYTES} bytes in {COLOURS:?} colours", entry.path)
 }
 
 /// The pixels, as red, green, blue and alpha.
@@ -46,7 +46,7 @@ fn paint(Entry { path, system, figure, .. }: &Entry) -> Result<Vec<u8>> {
             Painted::Rows => pixels.extend_from_slice(painter.pixels()),
             Painted::All => return Ok(pixels),
         }
-        ensure!(painter.spent() < MOST_WORK, "{path} takes too long to draw");
+        ensure!(painter.spent() < MAX_WORK, "{path} takes too long to draw");
     }
 }
 
