@@ -41,7 +41,7 @@
         return Object.hasOwn(FILES, path) ? path : null;
     }
 
-    /** Keeps a shared file, or else the text, until the page opens it (js/shared.js). @param {Request} request */
+    /** Keeps a shared file, or else the text, until the page opens it (js/dialogs/shared.js). @param {Request} request */
     async function take(request) {
         const form = await request.formData();
         const words = ['title', 'text', 'url'].map((key) => form.get(key)).filter(Boolean);

@@ -8,8 +8,13 @@ function kept(name) {
         return null;
     }
 }
-const theme = kept('theme');
-if (theme === 'light' || theme === 'dark') document.documentElement.dataset.theme = theme;
-// Words that may be in another language are unseen until they are (js/words.js).
-const language = new URLSearchParams(location.search).get('lang') ?? kept('language') ?? navigator.language;
-if (!language.startsWith('en')) document.documentElement.dataset.words = 'awaited';
+function begin() {
+    const theme = kept('theme');
+    if (theme === 'light' || theme === 'dark') document.documentElement.dataset.theme = theme;
+    // Words that may be in another language are unseen until they are (js/base/words.js).
+    const language = new URLSearchParams(location.search).get('lang') ?? kept('language') ?? navigator.language;
+    if (!language.startsWith('en')) document.documentElement.dataset.words = 'awaited';
+}
+// Of a page from a disk, the storage is not read before the browser has noted the page (js/base/settled.js).
+if (location.protocol === 'file:' && navigator.locks) void navigator.locks.query().then(begin, begin);
+else begin();

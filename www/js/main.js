@@ -1,53 +1,50 @@
 /** The page: connects state, worker, drawing and controls. */
 
-import { followAddress } from './address.js';
-import { toast } from './announce.js';
-import { createReporter, showLast } from './caption.js';
+import { followAddress } from './state/address.js';
+import { toast } from './base/announce.js';
+import { createReporter, showLast } from './view/caption.js';
 import { dialRows } from './controls/dial-rows.js';
-import { createDialogs } from './dialogs.js';
-import { button, html, reducedMotion, setText } from './dom.js';
-import { createEngine } from './engine.js';
+import { createDialogs } from './dialogs/dialogs.js';
+import { button, html, reducedMotion, setText } from './base/dom.js';
+import { createEngine } from './engine/engine.js';
 import { createStored } from './favourites/stored.js';
-import { createGrowing } from './growing.js';
-import { createHover } from './hover.js';
-import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
-import { createMarks } from './marks.js';
-import { followNotation } from './notation.js';
-import { keepOffline } from './offline.js';
-import { blank, opening, titleOf } from './opening.js';
+import { createGrowing } from './motion/growing.js';
+import { withThemeScheme, hasScheme, themeScheme, isDark } from './state/colour-schemes.js';
+import { createMarks } from './view/marks.js';
+import { followNotation } from './controls/notation.js';
+import { keepOffline } from './base/offline.js';
+import { blank, opening, titleOf } from './state/opening.js';
 import { createMates, matesOn } from './engine/mates.js';
-import { openLink } from './packed.js';
-import { followPasting } from './pasting.js';
+import { openLink } from './state/packed.js';
+import { followPasting } from './dialogs/pasting.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
-import { createRefusal } from './refusal.js';
+import { createRefusal } from './view/refusal.js';
 import { followKeyboard } from './controls/keyboard.js';
 import { symbolKeys } from './controls/symbol-keys.js';
-import { createLegend } from './controls/legend.js';
 import { symbolNote } from './controls/symbol-note.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { tabs } from './panels/tabs.js';
 import { turtlePanel } from './panels/turtle-panel.js';
-import { createOrbit } from './orbit.js';
-import { createPlayback } from './playback.js';
-import { createReader } from './reading/reader.js';
-import { createSession } from './session.js';
-import { openSession } from './sessions.js';
-import { showPrintText } from './print-text.js';
-import { createStage } from './stage.js';
-import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
-import { createStorage } from './storage.js';
-import { QUESTION, createTrouble } from './trouble.js';
-import { createStore } from './store.js';
-import { languageChoice } from './language.js';
-import { theme, themeButton } from './theme.js';
-import { createWind } from './wind.js';
-import { counted, say, translatePage } from './words.js';
+import { createOrbit } from './view/orbit.js';
+import { createReadings } from './view/readings.js';
+import { createSession } from './state/session.js';
+import { openSession } from './state/sessions.js';
+import { showPrintText } from './view/print-text.js';
+import { createStage } from './view/stage.js';
+import { clean, definitionOf, same, sameSystem } from './state/state.js';
+import { createStorage } from './state/storage.js';
+import { QUESTION, createTrouble } from './view/trouble.js';
+import { createStore } from './state/store.js';
+import { languageChoice } from './base/language.js';
+import { theme, themeButton } from './base/theme.js';
+import { createWind } from './motion/wind.js';
+import { counted, say, translatePage } from './base/words.js';
 
-/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./state/state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 
 translatePage();
@@ -73,20 +70,10 @@ if (!notDrawn) engine.define(definitionOf(store.state));
 const marks = createMarks();
 const stage = createStage(store, engine, marks, { isBesideTools: true });
 const orbit = createOrbit(store, stage);
-const playback = createPlayback(engine, { turtle: marks.turtle });
+const readings = createReadings(engine, stage, marks);
+const { playback, legend, reader } = readings;
 const growing = createGrowing(store, engine, { begins: () => begins(wind), present: playback.present });
 const wind = createWind(store, engine, { begins: () => begins(growing), present: playback.present });
-const legend = createLegend();
-const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
-const hover = createHover(engine, {
-    ratio: () => stage.resolution().ratio,
-    mark: marks.found,
-    light: reader.light,
-    choose: reader.choose,
-    read: reader.read,
-    reading: () => reader.open,
-    upto: () => playback.upto,
-});
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
@@ -201,7 +188,7 @@ if (storage.available && storage.read('visited') === undefined) {
     if (!link && !restored && !reducedMotion()) growing.greet();
 }
 keepOffline();
-if (served) void import('./served.js').then(({ createServed }) => createServed(served, { store, tab }));
+if (served) void import('./dialogs/served.js').then(({ createServed }) => createServed(served, { store, tab }));
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
 function show(state, before) {
@@ -212,12 +199,7 @@ function show(state, before) {
     dials.show(state);
     stage.show(state, before);
     orbit.show(state, before);
-    reader.show(state, before);
-    if (before && !sameDrawing(state, before)) {
-        hover.forget();
-        playback.forget();
-    }
-    if (before && before.camera !== state.camera) hover.turned();
+    readings.show(state, before);
     if (
         (before?.rules !== state.rules && CURVE.test(state.rules)) ||
         (before?.overrides !== state.overrides && SURFACE.test(state.overrides))
@@ -253,7 +235,7 @@ function begins(other) {
     playback.forget();
 }
 
-/** Sound takes the place of growth, wind and the segments. @param {import('./playback.js').Show | null} show */
+/** Sound takes the place of growth, wind and the segments. @param {import('./motion/playback.js').Show | null} show */
 function sounded(show) {
     if (show && playback.presented !== show) {
         growing.stop();
@@ -269,14 +251,13 @@ function reported(next, past) {
     if (!growing.running && !wind.blowing) report(next, past);
 }
 
-/** @param {import('./engine.js').Drawn} picture */
+/** @param {import('./engine/engine.js').Drawn} picture */
 function drawn(picture) {
     stage.drawn(picture);
     if (picture.complete) html('rough').hidden = !picture.rough;
     growing.drawn();
     wind.drawn();
-    playback.drawn(picture);
-    hover.drawn();
+    readings.drawn(picture);
 }
 
 /** @param {boolean} under whether a newer state is being drawn */
@@ -284,7 +265,7 @@ function busy(under) {
     html('stage').setAttribute('aria-busy', String(under));
 }
 
-/** @param {import('./engine.js').Trouble} what */
+/** @param {import('./engine/engine.js').Trouble} what */
 function troubled({ how, question }) {
     if (question) return toast(QUESTION);
     growing.forget();
@@ -298,7 +279,7 @@ function recovered() {
     trouble.hide();
 }
 
-/** @param {import('./engine.js').Shown} state @param {boolean} doubtful */
+/** @param {import('./engine/engine.js').Shown} state @param {boolean} doubtful */
 function doubted({ definition, look }, doubtful) {
     if (definition)
         session.suspect(
@@ -344,13 +325,13 @@ function greet() {
     }
 }
 
-/** @param {import('./link.js').Link} pasted */
+/** @param {import('./state/link.js').Link} pasted */
 function opened(pasted) {
     session.visit(pasted.state);
     toast(`${say`Opened the link. Undo to go back.`} ${problemWords(pasted)}`.trim());
 }
 
-/** The first few of a link's problems. @param {import('./link.js').Link} link */
+/** The first few of a link's problems. @param {import('./state/link.js').Link} link */
 function problemWords({ problems }) {
     const more = problems.length - MOST_PROBLEMS;
     return [

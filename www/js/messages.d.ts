@@ -561,7 +561,7 @@ agreement: number,
  */
 percent: string, symbols: number | null, 
 /**
- * The axiom, if it was to be found, and the rules.
+ * The axiom, if it was to be found, and the rules; only the beginning of long ones.
  */
 rules: string, words: string, 
 /**

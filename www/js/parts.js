@@ -3,27 +3,27 @@
  * own elements and styles. Its function gets the page once, and returns how to open the part.
  */
 
-import { createBreed, createSeeds } from './breed.js';
+import { createBreed, createSeeds } from './dialogs/breed.js';
 import { createCheck } from './course/check.js';
 import { createMaker } from './course/maker.js';
 import { createMarks } from './course/marks.js';
 import { createMathematics } from './course/mathematics.js';
 import { createCurves } from './curves/curves.js';
 import { createFavourites } from './favourites/dialog.js';
-import { createFileOpening } from './file-opening.js';
+import { createFileOpening } from './dialogs/file-opening.js';
 import { createFilms } from './film/films.js';
 import { createFinding } from './find/finding.js';
-import { createGallery } from './gallery.js';
-import { createImporting } from './importing.js';
-import { createKeeping } from './keeping.js';
-import { createProjector } from './projector.js';
+import { createGallery } from './dialogs/gallery.js';
+import { createImporting } from './dialogs/importing.js';
+import { createKeeping } from './dialogs/keeping.js';
+import { createProjector } from './dialogs/projector.js';
 import { createSave } from './save/save.js';
-import { createShare } from './share.js';
-import { createShared } from './shared.js';
-import { createShortcuts } from './shortcuts.js';
+import { createShare } from './dialogs/share.js';
+import { createShared } from './dialogs/shared.js';
+import { createShortcuts } from './dialogs/shortcuts.js';
 import { createStepsDialog } from './steps/dialog.js';
-import { createSound } from './playback/sound.js';
-import { createSurprise } from './surprise.js';
+import { createSound } from './motion/sound.js';
+import { createSurprise } from './dialogs/surprise.js';
 
 export const PARTS = {
     gallery: createGallery,

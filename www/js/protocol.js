@@ -92,8 +92,8 @@ export {};
 /** No more pictures follow for a definition and a view. @typedef {{type: 'done', id: number, viewId: number}} Done */
 /**
  * From a worker to the page. `hello`: the script runs and answers pings; `ready`: the wasm is ready too; `report`: sent
- * again when more is known; `fatal`: the worker has crashed.
- * @typedef {{type: 'hello'} | {type: 'ready'} | {type: 'pong'} | At | {type: 'report', id: number, report: Report} | Picture | Done | Answer | {type: 'fatal', message: string}} FromWorker
+ * again when more is known; `fatal`: the worker has crashed; `isEarly`: without the rest of the core.
+ * @typedef {{type: 'hello'} | {type: 'ready'} | {type: 'pong'} | At | {type: 'report', id: number, report: Report} | Picture | Done | Answer | {type: 'fatal', message: string, isEarly: boolean}} FromWorker
  */
 
 /** @typedef {import('./messages.js').SharedPane} Pane */
@@ -108,14 +108,15 @@ export {};
 // Tools: workers that few visits need, each with a wasm of its own.
 
 /**
- * The call of the tool that makes files; its progress are the pieces of the file. `options`: those of
+ * The call of the tools that make files; its progress are the pieces of the file. `options`: those of
  * tables.js that differ from their defaults; `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
- * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: import('./messages.js').ExportReport}, package: {asked: {exercises: string[], title: string, standard: string, steps: string, exercise: string, language: string, catalogue: string}, answer: Uint8Array<ArrayBuffer>}}} ExportCalls
+ * @typedef {{asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: import('./messages.js').ExportReport}} MakeFile
  */
-/**
- * The calls of the tool for other notations; `import` answers null if the text is in no known notation.
- * @typedef {{import: {asked: {text: string}, answer: Imported | null}, writeAs: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} ImportCalls
- */
+/** @typedef {{file: MakeFile}} ExportCalls */
+/** For formats of pixels. @typedef {{pixels: MakeFile}} PictureCalls */
+/** The call of the tool that makes packages for learning systems. @typedef {{package: {asked: {exercises: string[], title: string, standard: string, steps: string, exercise: string, language: string, catalogue: string}, answer: Uint8Array<ArrayBuffer>}}} PackageCalls */
+/** The call of the tool that reads other notations; it answers null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
+/** The call of the tool that writes other notations. @typedef {{writeAs: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} WriteCalls */
 /**
  * The calls of the tool for new systems; `descent` answers with an animated GIF.
  * @typedef {{surprise: {asked: {seed: number}, answer: Definition}, breed: {asked: {parents: Definition[], seed: number, count: number}, answer: Definition[]}, descent: {asked: {definitions: Definition[], side: number}, answer: Uint8Array<ArrayBuffer>}}} InventCalls
@@ -149,24 +150,34 @@ export {};
  * @typedef {{about: import('./messages.js').AboutClass} | {row: MarkedAnswer, picture: Uint8Array | null}} ClassProgress
  */
 /**
- * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
+ * The calls of the tool for students. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.
  * @typedef {{
- *     check: {asked: {definition: Definition, output: string}, answer: import('./messages.js').CheckReport},
- *     growth: {asked: {definition: Definition}, answer: import('./messages.js').GrowthReport},
- *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
- *     single: {asked: {definition: Definition, steps: number, rightmost: boolean}, answer: import('./messages.js').Single[]},
- *     trace: {asked: {definition: Definition, n: number, count: number}, answer: import('./messages.js').Trace},
  *     variantOf: {asked: {text: string, student: string}, answer: import('./messages.js').VariantReport},
- *     variantsOf: {asked: {exercise: Exercise, varied: Varied[]}, answer: Definition[]},
- *     markClass: {asked: {exercise: string, text: string}, answer: {mistakes: MistakeReport[], csv: string}},
- *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},
  *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},
  *     hint: {asked: {text: string, student: Definition}, answer: string | null},
  *     answer: {asked: {text: string}, answer: Definition | null},
  *     mark: {asked: {text: string, student: Definition}, answer: {mark: Mark, pixels: Uint8Array<ArrayBuffer>}},
  * }} CourseCalls
+ */
+/**
+ * The calls of the tool for comparisons and single steps.
+ * @typedef {{
+ *     check: {asked: {definition: Definition, output: string}, answer: import('./messages.js').CheckReport},
+ *     growth: {asked: {definition: Definition}, answer: import('./messages.js').GrowthReport},
+ *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
+ *     single: {asked: {definition: Definition, steps: number, rightmost: boolean}, answer: import('./messages.js').Single[]},
+ *     trace: {asked: {definition: Definition, n: number, count: number}, answer: import('./messages.js').Trace},
+ * }} StudyCalls
+ */
+/**
+ * The calls of the tool for teachers.
+ * @typedef {{
+ *     variantsOf: {asked: {exercise: Exercise, varied: Varied[]}, answer: Definition[]},
+ *     markClass: {asked: {exercise: string, text: string}, answer: {mistakes: MistakeReport[], csv: string}},
+ *     write: {asked: {exercise: Exercise}, answer: string},
+ * }} ClassCalls
  */
 /** @typedef {import('./messages.js').FindQuestion} FindQuestion */
 /** Levels of grey, row by row from above, 0 for black; `isStraight`: what a photograph shows, straightened. @typedef {{grey: Uint8Array, width: number, height: number, isStraight?: boolean}} FindPicture */
@@ -207,7 +218,7 @@ export {};
  *     gif: {asked: {film: Film, script: FilmScript}, answer: null},
  * }} FilmCalls
  */
-/** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module, words: Catalogue} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
+/** From the page to a tool: its wasm and the parts that join it, calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module, parts: WebAssembly.Module[], words: Catalogue} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
 /** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 
 /**

@@ -9,6 +9,17 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
     'axes': { label: 'Turns about axes', help: 'F draws; > and < turn left and right, v and ^ pitch up and down, + and − roll left and right: turns about the z, x and y axes of a turtle that goes along its y; [ and ] branch. Other symbols do nothing.' },
 });
 
+/** What the colour follows, by its name in files: what it is called, and a note. */
+export const COLOURINGS = /* @__PURE__ */ Object.freeze({
+    symbol: { label: 'colour symbols', help: '' },
+    level: { label: 'branch level', help: 'First colour for the stem, next colour for its branches, and so on.' },
+    generation: { label: 'generation', help: 'Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.' },
+    path: { label: 'distance along path', help: 'A gradient of all colours, from the first segment to the last.' },
+    turn: { label: 'turns', help: 'First colour at the start, other colours after turns. Each branch restores the colour before it.' },
+    density: { label: 'amount of ink', help: 'Where ink adds up: a gradient of all colours, from the least ink to the most.' },
+    single: { label: 'one colour', help: '' },
+});
+
 /**
  * An L-system as its author wrote it.
  * @typedef {object} Definition

@@ -1,6 +1,7 @@
-/** The worker for exercises alone. The build joins it with the generated glue. */
+/** The worker for exercises and steps alone. The build joins it with the generated glue. */
 
-import { calls } from './calls/course.js';
+import { calls as course } from './calls/course.js';
+import { calls as study } from './calls/study.js';
 import { serve } from './tool.js';
 
-serve(calls);
+serve({ ...course, ...study });

@@ -1,5 +1,5 @@
 /**
- * A tool's worker: starts its wasm and answers the page's calls (js/tool.js). A long call is either a generator: the
+ * A tool's worker: starts its wasm and answers the page's calls (js/engine/tool.js). A long call is either a generator: the
  * worker returns to its event loop after every step, and sends what the step yields to the page. Or it is straight: it
  * gets a function that sends progress to the page while the call runs.
  */
@@ -26,7 +26,9 @@ export function serve(calls) {
         else if (data.type === 'cancel') running.delete(data.id);
         else if (data.type === 'init')
             guard(0, () => {
-                wasm_bindgen.initSync({ module: data.wasm });
+                // Each part imports what the first one exports, and fills the places of its functions in the table.
+                const imports = { '': /** @type {any} */ (wasm_bindgen.initSync({ module: data.wasm })) };
+                for (const part of data.parts) new WebAssembly.Instance(part, imports);
                 setWords(data.words);
                 // From now on the page need not wait long to know that this worker is silent.
                 page.postMessage({ type: 'pong' });

@@ -33,6 +33,8 @@ import { setWords } from './words.js';
     let setMates = () => {};
     /** What the rest of the core imports: the exports of its first part. @type {WebAssembly.ModuleImports} */
     let core = {};
+    /** Whether the rest has not come yet. */
+    let isEarly = true;
     let awake = false;
     let dead = false;
 
@@ -41,7 +43,12 @@ import { setWords } from './words.js';
         if (data.type === 'ping') return page.postMessage({ type: 'pong' });
         if (data.type === 'init') return guard(() => start(data));
         // The rest fills the places of its functions in the table of the first part.
-        if (data.type === 'rest') return guard(() => void new WebAssembly.Instance(data.wasm, { '': core }));
+        if (data.type === 'rest') {
+            return guard(() => {
+                new WebAssembly.Instance(data.wasm, { '': core });
+                isEarly = false;
+            });
+        }
         if (data.type === 'mates') return guard(() => setMates(data.ports));
         if (data.type === 'define') inbox.define = data;
         else if (data.type === 'view') inbox.view = data;
@@ -99,7 +106,8 @@ import { setWords } from './words.js';
             action();
         } catch (error) {
             dead = true;
-            page.postMessage({ type: 'fatal', message: String(error instanceof Error ? error.message : error) });
+            const message = String(error instanceof Error ? error.message : error);
+            page.postMessage({ type: 'fatal', message, isEarly });
         }
     }
 

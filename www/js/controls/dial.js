@@ -1,16 +1,16 @@
 /** A slider and a number field for one number of the state. */
 
-import { input, make } from '../dom.js';
-import { marked, plain } from '../numerals.js';
-import { rangeOf } from '../state.js';
+import { input, make } from '../base/dom.js';
+import { marked, plain } from '../base/numerals.js';
+import { rangeOf } from '../state/state.js';
 import { FIELDS } from '../tables.js';
 import { numberField } from './number-field.js';
 import { even, slider } from './slider.js';
-import { said } from '../words.js';
+import { said } from '../base/words.js';
 
 /**
- * @param {import('../store.js').Store} store
- * @param {import('../state.js').FieldName} field
+ * @param {import('../state/store.js').Store} store
+ * @param {import('../state/state.js').FieldName} field
  * @param {string} id of the number field; the slider has the same id with `-slider`
  */
 export function dial(store, field, id) {
@@ -29,11 +29,7 @@ export function dial(store, field, id) {
     const write = numberField(input(id), { ...rangeOf(field), expected, step: scale?.arrow ?? 1, change, settle });
     // A finger is wider than a stop of the slider.
     for (const sign of '−+') {
-        const step = make(
-            'button',
-            { type: 'button', class: 'button step', 'aria-label': `${said(label)} ${sign}` },
-            sign,
-        );
+        const step = make('button', { class: 'button step', 'aria-label': `${said(label)} ${sign}` }, sign);
         const key = sign === '+' ? 'ArrowUp' : 'ArrowDown';
         step.addEventListener('click', () => input(id).dispatchEvent(new KeyboardEvent('keydown', { key })));
         input(id).closest('.lead')?.append(step);
@@ -49,7 +45,7 @@ export function dial(store, field, id) {
     };
 }
 
-/** The values of a field's slider. @param {import('../state.js').FieldName} field */
+/** The values of a field's slider. @param {import('../state/state.js').FieldName} field */
 export function stopsOf(field) {
     const { slider: scale } = FIELDS[field];
     if (!scale) return [];

@@ -3,11 +3,11 @@
  * spans; the area itself shows only caret and selection.
  */
 
-import { make, setValue, withCode } from '../dom.js';
-import { fixLabel } from '../fix.js';
-import { maxLengthOf } from '../state.js';
-import { carryOver, spansOf } from '../tint.js';
-import { counted, say } from '../words.js';
+import { make, setValue, withCode } from '../base/dom.js';
+import { fixLabel } from '../base/fix.js';
+import { maxLengthOf } from '../state/state.js';
+import { carryOver, spansOf } from './tint.js';
+import { counted, say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
 /**
@@ -136,13 +136,13 @@ export function listProblems(list, diagnostics, text, editor) {
             if (hint) words.push(make('span', { class: 'problem-hint' }, ...withCode(hint)));
             if (!editor) return make('li', { class: severity }, ...words);
             const { area, fix } = editor;
-            const go = make('button', { type: 'button', class: 'problem' }, ...words);
+            const go = make('button', { class: 'problem' }, ...words);
             go.addEventListener('click', () => {
                 area.focus();
                 area.setSelectionRange(start, Math.max(end, start));
             });
             if (diagnostic.fix === null) return make('li', { class: severity }, go);
-            const remedy = make('button', { type: 'button', class: 'button fix' }, fixLabel(diagnostic.fix));
+            const remedy = make('button', { class: 'button fix' }, fixLabel(diagnostic.fix));
             remedy.addEventListener('click', () => fix(diagnostic));
             return make('li', { class: severity }, go, remedy);
         }),

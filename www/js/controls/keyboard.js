@@ -1,6 +1,6 @@
 /** Keeps the field with the focus in sight when the keyboard of a phone takes a part of the screen. */
 
-import { html } from '../dom.js';
+import { html } from '../base/dom.js';
 
 export function followKeyboard() {
     const show = () => {

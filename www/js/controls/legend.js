@@ -1,6 +1,6 @@
 /** What the symbols of the newest valid system do, in words. */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').Report} Report */
 

@@ -1,8 +1,8 @@
 /** Text fields for numbers and arithmetic. Arrow keys change the number by a step, with Shift by ten steps, with Alt by a tenth. */
 
-import { valueOf } from '../arithmetic.js';
-import { plain, readNumber } from '../numerals.js';
-import { setValue } from '../dom.js';
+import { valueOf } from './arithmetic.js';
+import { plain, readNumber } from '../base/numerals.js';
+import { setValue } from '../base/dom.js';
 import { rangeNote } from './range-note.js';
 
 /**
@@ -17,50 +17,34 @@ import { rangeNote } from './range-note.js';
  */
 export function numberField(field, { low, high, expected, step, whole = false, change, settle }) {
     let shown = 0;
-    const setWrong = rangeNote(field, expected);
     field.setAttribute('role', 'spinbutton');
     if (isBound(low)) field.setAttribute('aria-valuemin', decimal(low));
     if (isBound(high)) field.setAttribute('aria-valuemax', decimal(high));
 
     /** @param {number} value */
     const fits = (value) => Math.min(high, Math.max(low, whole ? Math.round(value) : value));
-    /** The field's number, or null if the text is no number within the range. */
-    const read = () => {
-        const value = numberIn(field);
-        return value === null || fits(value) !== value ? null : value;
-    };
-
-    field.addEventListener('input', () => {
-        const value = read();
-        setWrong(value === null);
-        if (value !== null) change((shown = value));
-    });
-    field.addEventListener('keydown', (event) => {
-        if (event.key === 'Enter') return field.select();
-        if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
-        event.preventDefault();
-        const next = fits(stepped(numberIn(field) ?? shown, event, typeof step === 'number' ? step : step(), whole));
-        field.value = plain(next);
-        setWrong(false);
-        change((shown = next));
-    });
-    field.addEventListener('focus', () => field.select());
-    field.addEventListener('blur', () => {
-        const value = numberIn(field);
-        const outside = value !== null && fits(value) !== value;
-        if (outside) change((shown = fits(value)));
-        field.value = plain(shown);
-        setWrong(false, outside);
-        settle();
+    const show = typedField(field, expected, {
+        read() {
+            const value = numberIn(field);
+            return value === null || fits(value) !== value ? undefined : value;
+        },
+        next: (event) =>
+            fits(stepped(numberIn(field) ?? shown, event, typeof step === 'number' ? step : step(), whole)),
+        change: (value) => change((shown = value)),
+        leave() {
+            const value = numberIn(field);
+            const outside = value !== null && fits(value) !== value;
+            if (outside) change((shown = fits(value)));
+            field.value = plain(shown);
+            return outside;
+        },
+        settle,
     });
 
     return (value) => {
         shown = value;
         field.setAttribute('aria-valuenow', decimal(value));
-        // Keep the text being typed: "25." must not become "25".
-        if (document.activeElement === field && read() === value) return;
-        setWrong(false);
-        setValue(field, plain(value));
+        show(value, plain(value));
     };
 }
 
@@ -74,44 +58,70 @@ export function optionalField(field, { low, high, expected, step, change, settle
     /** @type {number | null} */
     let shown = null;
     let fallback = 0;
-    const setWrong = rangeNote(field, expected);
     const written = (/** @type {number | null} */ value) => (value === null ? '' : plain(value));
     const fits = (/** @type {number} */ value) => Math.min(high, Math.max(low, value));
-    /** The field's number, null if empty, or undefined if the text is no number within the range. */
-    const read = () => {
-        const value = numberIn(field);
-        if (field.value.trim() === '') return null;
-        return value === null || fits(value) !== value ? undefined : value;
-    };
-
-    field.addEventListener('input', () => {
-        const value = read();
-        setWrong(value === undefined);
-        if (value !== undefined) change((shown = value));
-    });
-    field.addEventListener('keydown', (event) => {
-        if (event.key === 'Enter') return field.select();
-        if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
-        event.preventDefault();
-        shown = fits(stepped(numberIn(field) ?? shown ?? fallback, event, step));
-        field.value = plain(shown);
-        setWrong(false);
-        change(shown);
-    });
-    field.addEventListener('focus', () => field.select());
-    field.addEventListener('blur', () => {
-        field.value = written(shown);
-        setWrong(false);
-        settle();
+    const show = typedField(field, expected, {
+        read() {
+            const value = numberIn(field);
+            if (field.value.trim() === '') return null;
+            return value === null || fits(value) !== value ? undefined : value;
+        },
+        next: (event) => fits(stepped(numberIn(field) ?? shown ?? fallback, event, step)),
+        change: (/** @type {number | null} */ value) => change((shown = value)),
+        leave() {
+            field.value = written(shown);
+            return false;
+        },
+        settle,
     });
 
     return (value, inherited) => {
         shown = value;
         fallback = inherited;
         field.placeholder = plain(inherited);
+        show(value, written(value));
+    };
+}
+
+/**
+ * What fields for numbers share.
+ * @template {number | null} T
+ * @param {HTMLInputElement} field
+ * @param {string} expected
+ * @param {object} on
+ * @param {() => T | undefined} on.read the field's value, or undefined if the text is no number within the range
+ * @param {(event: KeyboardEvent) => T & number} on.next the number after an arrow key
+ * @param {(value: T) => void} on.change
+ * @param {() => boolean} on.leave the focus goes; returns whether the number was outside the range
+ * @param {() => void} on.settle
+ */
+function typedField(field, expected, { read, next, change, leave, settle }) {
+    const setWrong = rangeNote(field, expected);
+    field.addEventListener('input', () => {
+        const value = read();
+        setWrong(value === undefined);
+        if (value !== undefined) change(value);
+    });
+    field.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter') return field.select();
+        if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+        event.preventDefault();
+        const value = next(event);
+        field.value = plain(value);
+        setWrong(false);
+        change(value);
+    });
+    field.addEventListener('focus', () => field.select());
+    field.addEventListener('blur', () => {
+        setWrong(false, leave());
+        settle();
+    });
+
+    return (/** @type {T} */ value, /** @type {string} */ text) => {
+        // Keep the text being typed: "25." must not become "25".
         if (document.activeElement === field && read() === value) return;
         setWrong(false);
-        setValue(field, written(value));
+        setValue(field, text);
     };
 }
 

@@ -1,7 +1,7 @@
 /** The note below a number field about its range, shown for an invalid number and after a correction. */
 
-import { make } from '../dom.js';
-import { said, say } from '../words.js';
+import { make } from '../base/dom.js';
+import { said, say } from '../base/words.js';
 
 /**
  * @param {HTMLInputElement} field

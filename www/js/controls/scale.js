@@ -1,6 +1,6 @@
 /** Slider scales for unlimited values: the range follows the value. Pure functions. */
 
-import { plain } from '../numerals.js';
+import { plain } from '../base/numerals.js';
 
 /** The minimum number of stops between zero and twice the value, except for whole values. */
 const FEWEST = 200;

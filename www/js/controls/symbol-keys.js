@@ -1,7 +1,7 @@
 /** On touch screens, a row of keys for the symbols that a soft keyboard hides, while a text of the notation is edited. */
 
-import { byId, html, make } from '../dom.js';
-import { say } from '../words.js';
+import { byId, html, make } from '../base/dom.js';
+import { say } from '../base/words.js';
 
 /** What the keys write. */
 const KEYS = ['F', 'X', '+', '-', '[', ']', '->', '(', ')', '|', '&', '^', '!', "'"];
@@ -17,7 +17,7 @@ export function symbolKeys(ids) {
         ...KEYS.map((key) => {
             const element = make(
                 'button',
-                { type: 'button', class: 'symbol-key', 'aria-label': key === '->' ? say`Arrow` : key, tabindex: '-1' },
+                { class: 'symbol-key', 'aria-label': key === '->' ? say`Arrow` : key, tabindex: '-1' },
                 key === '->' ? '→' : key,
             );
             // The text keeps the focus, so the keyboard stays.

@@ -3,10 +3,10 @@
  * shows what the symbol became.
  */
 
-import { byId, html, isTouch, make } from '../dom.js';
-import { sameDrawing } from '../state.js';
+import { byId, html, isTouch, make } from '../base/dom.js';
+import { sameDrawing } from '../state/state.js';
 import { createTrace } from './trace.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('./trace.js').TextField} TextField */
 /** A symbol in a text. @typedef {{field: TextField, offset: number, symbol: string}} Written */
@@ -14,8 +14,8 @@ import { say } from '../words.js';
 const HINT = isTouch() ? say`Tap a symbol to see what it does.` : say`Point at a symbol to see what it does.`;
 
 /**
- * @param {import('../store.js').Store} store
- * @param {import('../engine.js').Engine} engine
+ * @param {import('../state/store.js').Store} store
+ * @param {import('../engine/engine.js').Engine} engine
  * @param {{legend: ReturnType<typeof import('./legend.js').createLegend>, mark: (outline: number[][]) => void}} page `mark` marks a part of the drawing
  */
 export function symbolNote(store, engine, { legend, mark }) {
@@ -28,7 +28,7 @@ export function symbolNote(store, engine, { legend, mark }) {
     const trace = createTrace(store, engine, (outline, { field, offset }) => {
         if (shown?.field !== field || shown.offset !== offset) return;
         mark(outline);
-        explain(shown, outline.length);
+        explain(legend, note, shown, outline.length);
     });
 
     /** The symbol at a place; null for an arrow, white space or a comment. @param {TextField} field @param {string} text @param {number} offset @returns {Written | null} */
@@ -40,26 +40,13 @@ export function symbolNote(store, engine, { legend, mark }) {
         return { field, offset, symbol };
     }
 
-    /** @param {Written} written @param {number} corners of the mark in the drawing */
-    function explain({ symbol }, corners) {
-        const meaning = legend.of(symbol);
-        if (!meaning) return note.replaceChildren(HINT);
-        const where =
-            corners > 1
-                ? [say`What it became is marked in the drawing.`]
-                : corners > 0
-                  ? [say`Its place is marked in the drawing.`]
-                  : [];
-        note.replaceChildren(make('code', {}, meaning.symbol), ` ${[meaning.words, ...where].join(' ')}`);
-    }
-
     /** @param {Written | null} written @param {boolean} [marking] */
     function show(written, marking = true) {
         if (written && marking && shown?.field === written.field && shown.offset === written.offset) return;
         shown = written;
         mark([]);
         if (!written) return note.replaceChildren(HINT);
-        explain(written, 0);
+        explain(legend, note, written, 0);
         if (marking) trace({ field: written.field, offset: written.offset });
     }
 
@@ -99,4 +86,22 @@ export function symbolNote(store, engine, { legend, mark }) {
         mark([]);
     });
     show(null);
+}
+
+/**
+ * @param {ReturnType<typeof import('./legend.js').createLegend>} legend
+ * @param {HTMLElement} note
+ * @param {Written} written
+ * @param {number} corners of the mark in the drawing
+ */
+function explain(legend, note, { symbol }, corners) {
+    const meaning = legend.of(symbol);
+    if (!meaning) return note.replaceChildren(HINT);
+    const where =
+        corners > 1
+            ? [say`What it became is marked in the drawing.`]
+            : corners > 0
+              ? [say`Its place is marked in the drawing.`]
+              : [];
+    note.replaceChildren(make('code', {}, meaning.symbol), ` ${[meaning.words, ...where].join(' ')}`);
 }

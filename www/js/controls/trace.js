@@ -1,6 +1,6 @@
 /** Finds what a symbol of the axiom or of a rule became in the drawing. */
 
-import { latest } from '../latest.js';
+import { latest } from '../base/latest.js';
 import { modulesOf, partsOf } from '../reading/words.js';
 
 /** Only the first generations are searched for the first use of a rule, and only their first symbols. */
@@ -19,8 +19,8 @@ export function outlineOf({ part, stroke }) {
 }
 
 /**
- * @param {import('../store.js').Store} store
- * @param {import('../engine.js').Engine} engine
+ * @param {import('../state/store.js').Store} store
+ * @param {import('../engine/engine.js').Engine} engine
  * @param {(outline: number[][], place: {field: TextField, offset: number}) => void} found an empty outline: there is nothing to mark
  */
 export function createTrace(store, engine, found) {

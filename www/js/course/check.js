@@ -1,16 +1,16 @@
 /** The dialog that compares what a program of one's own printed with the shown system. */
 
 import styles from '../../css/course.css';
-import { button, byId, closes, html, input, setText } from '../dom.js';
-import { showFailure } from '../failure.js';
-import { addElements } from '../late.js';
-import { definitionOf } from '../state.js';
-import { counted, say } from '../words.js';
+import { button, byId, closes, html, input, setText } from '../base/dom.js';
+import { showFailure } from '../base/failure.js';
+import { addElements } from '../base/late.js';
+import { definitionOf } from '../state/state.js';
+import { counted, say } from '../base/words.js';
 import markup from './check.html';
 import { createTextIntake } from './text-intake.js';
-import { courseTool as tool } from './tool.js';
+import { studyTool as tool } from './tool.js';
 
-/** @param {import('../dialogs.js').Page} page */
+/** @param {import('../dialogs/dialogs.js').Page} page */
 export function createCheck({ store, readAt }) {
     addElements(markup, [styles]);
     const dialog = byId('program-check', HTMLDialogElement);

@@ -2,15 +2,15 @@
 
 import styles from '../../css/course.css';
 import own from '../../css/marks.css';
-import { button, byId, closes, html, input, make, setText } from '../dom.js';
-import { download } from '../download.js';
-import { showFailure } from '../failure.js';
-import { addElements } from '../late.js';
-import { Cancelled } from '../tool.js';
-import { language, said, say } from '../words.js';
+import { button, byId, closes, html, input, make, setText } from '../base/dom.js';
+import { download } from '../base/download.js';
+import { showFailure } from '../base/failure.js';
+import { addElements } from '../base/late.js';
+import { Cancelled } from '../engine/tool.js';
+import { language, said, say } from '../base/words.js';
 import markup from './marks.html';
 import { createTextIntake } from './text-intake.js';
-import { courseTool as tool } from './tool.js';
+import { classTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').MarkedAnswer} MarkedAnswer */
 /** @typedef {{row: MarkedAnswer, element: HTMLTableRowElement, number: number}} Line */
@@ -42,193 +42,208 @@ const COLUMNS = [
 /** @type {[string, string, null]} */
 const VARIANT = ['variant', say`Variant`, null];
 
+/**
+ * The table of marks.
+ * @typedef {object} Table
+ * @property {HTMLTableRowElement | undefined} head
+ * @property {HTMLTableSectionElement | undefined} body
+ * @property {AbortController} marking
+ * @property {Line[]} lines
+ * @property {string} csv
+ * @property {string} title
+ * @property {Set<number> | null} chosen The numbers of the answers with the chosen mistake; null for all
+ * @property {{column: string, down: boolean}} order
+ */
+
 export function createMarks() {
     addElements(markup, [styles, own]);
     const dialog = byId('class-marks', HTMLDialogElement);
     const table = dialog.querySelector('table');
     const [head, body] = [table?.tHead?.rows[0], table?.tBodies[0]];
-    let marking = new AbortController();
-    /** @type {Line[]} */
-    let lines = [];
-    let csv = '';
-    let title = '';
-    /** The numbers of the answers with the chosen mistake; null for all. @type {Set<number> | null} */
-    let chosen = null;
-    /** @type {{column: string, down: boolean}} */
-    let order = { column: '', down: false };
-
-    /** @param {MarkedAnswer} row @param {Uint8Array | null} picture @param {boolean} hasVariants */
-    function lineOf(row, picture, hasVariants) {
-        const { link } = row;
-        const isWeb = link !== null && /^https?:/.test(link);
-        const name = isWeb
-            ? make('a', { href: link, target: '_blank', rel: 'noopener noreferrer' }, row.name)
-            : make('span', {}, row.name);
-        return make(
-            'tr',
-            {},
-            make('td', {}, name),
-            make('td', {}, row.by),
-            make('td', { class: row.isSolved ? 'yes' : '' }, row.isSolved ? say`yes` : say`no`),
-            make('td', { class: 'figure' }, row.percent),
-            make('td', { class: 'figure' }, row.symbols === null ? '' : String(row.symbols)),
-            make('td', {}, ...(picture ? [canvasOf(picture)] : [])),
-            make('td', {}, make('pre', {}, row.rules)),
-            make('td', {}, row.words),
-            ...(hasVariants ? [make('td', { class: 'figure' }, String(row.variant))] : []),
-        );
-    }
-
-    /** @param {boolean} hasVariants */
-    function showHead(hasVariants) {
-        const columns = hasVariants ? [...COLUMNS, VARIANT] : COLUMNS;
-        head?.replaceChildren(
-            ...columns.map(([column, words, sorting]) => {
-                if (!sorting) return make('th', { scope: 'col' }, words);
-                const sorts = make('button', { type: 'button', class: 'sorts' }, words);
-                sorts.addEventListener('click', () => {
-                    order = { column, down: order.column === column && !order.down };
-                    arrange();
-                });
-                return make('th', { scope: 'col', 'data-column': column }, sorts);
-            }),
-        );
-    }
-
-    /** Sorts and filters the table. */
-    function arrange() {
-        const sorting = COLUMNS.find(([column]) => column === order.column)?.[2];
-        const sign = order.down ? -1 : 1;
-        const sorted = [...lines];
-        if (sorting)
-            sorted.sort((a, b) => {
-                const [x, y] = [sorting(a), sorting(b)];
-                const compared =
-                    typeof x === 'string' ? x.localeCompare(String(y), language, { numeric: true }) : x - Number(y);
-                return sign * compared || a.number - b.number;
-            });
-        for (const cell of head?.cells ?? []) {
-            const isOrder = cell.dataset['column'] === order.column;
-            if (isOrder) cell.setAttribute('aria-sort', order.down ? 'descending' : 'ascending');
-            else cell.removeAttribute('aria-sort');
-        }
-        const shown = byId('marks-shown', HTMLSelectElement).value;
-        const words = input('marks-search').value.trim().toLocaleLowerCase();
-        for (const { row, element, number } of sorted) {
-            const isFound = `${row.name}\n${row.by}\n${row.rules}`.toLocaleLowerCase().includes(words);
-            const isAsked = shown === '' || (shown === 'yes') === row.isSolved;
-            element.hidden = !isFound || !isAsked || (chosen !== null && !chosen.has(number));
-        }
-        body?.replaceChildren(...sorted.map(({ element }) => element));
-    }
-
-    /** @param {import('../protocol.js').MistakeReport[]} mistakes */
-    function showMistakes(mistakes) {
-        const frequent = mistakes.filter((mistake) => mistake.answers.length > 1).slice(0, MOST_MISTAKES);
-        html('marks-mistakes').replaceChildren(
-            ...frequent.map(({ words, answers: numbers }) => {
-                const example = lines[numbers[0] ?? 0]?.row.name ?? '';
-                const chooses = make(
-                    'button',
-                    { type: 'button', 'aria-pressed': 'false', title: say`For example ${example}` },
-                    make('strong', {}, say`${numbers.length} of ${lines.length}`),
-                    ` ${words}`,
-                );
-                chooses.addEventListener('click', () => {
-                    const isOn = chooses.getAttribute('aria-pressed') === 'true';
-                    for (const other of html('marks-mistakes').querySelectorAll('button'))
-                        other.setAttribute('aria-pressed', 'false');
-                    chooses.setAttribute('aria-pressed', String(!isOn));
-                    chosen = isOn ? null : new Set(numbers);
-                    arrange();
-                });
-                return make('li', {}, chooses);
-            }),
-        );
-    }
-
-    /** Ends marking, and shows no result. */
-    function clear() {
-        marking.abort();
-        marking = new AbortController();
-        lines = [];
-        [chosen, csv] = [null, ''];
-        html('marks-result').hidden = true;
-        html('marks-status').replaceChildren();
-    }
-
-    /** @param {string} text */
-    async function mark(text) {
-        clear();
-        if (text.trim() === '') return;
-        const turn = marking;
-        const status = html('marks-status');
-        setText(status, say`Marking…`);
-        let all = 0;
-        let hasVariants = false;
-        const progress = (/** @type {import('../protocol.js').ClassProgress} */ told) => {
-            if (turn !== marking) return;
-            if ('about' in told) {
-                [title, all, hasVariants] = [told.about.title, told.about.answers, told.about.variants > 1];
-                showHead(hasVariants);
-                body?.replaceChildren();
-                showMistakes([]);
-                html('marks-result').hidden = false;
-                return;
-            }
-            const element = lineOf(told.row, told.picture, hasVariants);
-            lines.push({ row: told.row, element, number: lines.length });
-            body?.append(element);
-            setText(status, say`Marking… ${lines.length} of ${all}`);
-        };
-        try {
-            const exercise = input('marks-exercise').value;
-            const done = await tool.call('markClass', { exercise, text }, { signal: turn.signal, progress });
-            if (turn !== marking) return;
-            csv = done.csv;
-            showMistakes(done.mistakes);
-            const solved = lines.filter(({ row }) => row.isSolved).length;
-            setText(
-                status,
-                title === ''
-                    ? say`${solved} of ${lines.length} solved.`
-                    : say`${said(title)}: ${solved} of ${lines.length} solved.`,
-            );
-            arrange();
-        } catch (error) {
-            if (error instanceof Cancelled || turn !== marking) return;
-            showFailure(status, error, () => void mark(text));
-        }
-    }
+    /** @type {Table} */
+    const self = {
+        head,
+        body,
+        marking: new AbortController(),
+        lines: [],
+        csv: '',
+        title: '',
+        chosen: null,
+        order: { column: '', down: false },
+    };
 
     const intake = createTextIntake({
         dialog,
         field: byId('marks-answers', HTMLTextAreaElement),
         file: input('marks-file'),
         opener: button('marks-open'),
-        taken: (text) => void mark(text),
+        taken: (text) => void mark(self, text),
         refused: (words) => {
-            clear();
+            clear(self);
             setText(html('marks-status'), words);
         },
     });
     input('marks-exercise').addEventListener('input', intake.later);
-    byId('marks-shown', HTMLSelectElement).addEventListener('change', arrange);
-    input('marks-search').addEventListener('input', arrange);
+    byId('marks-shown', HTMLSelectElement).addEventListener('change', () => arrange(self));
+    input('marks-search').addEventListener('input', () => arrange(self));
     byId('marks-asked', HTMLFormElement).addEventListener('submit', (event) => event.preventDefault());
     button('marks-save').addEventListener('click', () => {
         // Spreadsheets take the text for UTF-8 only with this mark.
-        if (csv !== '') download(new Blob(['\ufeff', csv], { type: 'text/csv' }), 'marks.csv');
+        if (self.csv !== '') download(new Blob(['\ufeff', self.csv], { type: 'text/csv' }), 'marks.csv');
     });
-    dialog.addEventListener('close', () => marking.abort());
+    dialog.addEventListener('close', () => self.marking.abort());
     closes(dialog, 'close-marks');
 
     return {
         open() {
             dialog.showModal();
-            if (lines.length === 0) intake.take();
+            if (self.lines.length === 0) intake.take();
         },
     };
+}
+
+/** @param {MarkedAnswer} row @param {Uint8Array | null} picture @param {boolean} hasVariants */
+function lineOf(row, picture, hasVariants) {
+    const { link } = row;
+    const isWeb = link !== null && /^https?:/.test(link);
+    const name = isWeb
+        ? make('a', { href: link, target: '_blank', rel: 'noopener noreferrer' }, row.name)
+        : make('span', {}, row.name);
+    return make(
+        'tr',
+        {},
+        make('td', {}, name),
+        make('td', {}, row.by),
+        make('td', { class: row.isSolved ? 'yes' : '' }, row.isSolved ? say`yes` : say`no`),
+        make('td', { class: 'figure' }, row.percent),
+        make('td', { class: 'figure' }, row.symbols === null ? '' : String(row.symbols)),
+        make('td', {}, ...(picture ? [canvasOf(picture)] : [])),
+        make('td', {}, make('pre', {}, row.rules)),
+        make('td', {}, row.words),
+        ...(hasVariants ? [make('td', { class: 'figure' }, String(row.variant))] : []),
+    );
+}
+
+/** @param {Table} self @param {boolean} hasVariants */
+function showHead(self, hasVariants) {
+    const columns = hasVariants ? [...COLUMNS, VARIANT] : COLUMNS;
+    self.head?.replaceChildren(
+        ...columns.map(([column, words, sorting]) => {
+            if (!sorting) return make('th', { scope: 'col' }, words);
+            const sorts = make('button', { class: 'sorts' }, words);
+            sorts.addEventListener('click', () => {
+                self.order = { column, down: self.order.column === column && !self.order.down };
+                arrange(self);
+            });
+            return make('th', { scope: 'col', 'data-column': column }, sorts);
+        }),
+    );
+}
+
+/** Sorts and filters the table. @param {Table} self */
+function arrange(self) {
+    const sorting = COLUMNS.find(([column]) => column === self.order.column)?.[2];
+    const sign = self.order.down ? -1 : 1;
+    const sorted = [...self.lines];
+    if (sorting)
+        sorted.sort((a, b) => {
+            const [x, y] = [sorting(a), sorting(b)];
+            const compared =
+                typeof x === 'string' ? x.localeCompare(String(y), language, { numeric: true }) : x - Number(y);
+            return sign * compared || a.number - b.number;
+        });
+    for (const cell of self.head?.cells ?? []) {
+        const isOrder = cell.dataset['column'] === self.order.column;
+        if (isOrder) cell.setAttribute('aria-sort', self.order.down ? 'descending' : 'ascending');
+        else cell.removeAttribute('aria-sort');
+    }
+    const shown = byId('marks-shown', HTMLSelectElement).value;
+    const words = input('marks-search').value.trim().toLocaleLowerCase();
+    for (const { row, element, number } of sorted) {
+        const isFound = `${row.name}\n${row.by}\n${row.rules}`.toLocaleLowerCase().includes(words);
+        const isAsked = shown === '' || (shown === 'yes') === row.isSolved;
+        element.hidden = !isFound || !isAsked || (self.chosen !== null && !self.chosen.has(number));
+    }
+    self.body?.replaceChildren(...sorted.map(({ element }) => element));
+}
+
+/** @param {Table} self @param {import('../protocol.js').MistakeReport[]} mistakes */
+function showMistakes(self, mistakes) {
+    const frequent = mistakes.filter((mistake) => mistake.answers.length > 1).slice(0, MOST_MISTAKES);
+    html('marks-mistakes').replaceChildren(
+        ...frequent.map(({ words, answers: numbers }) => {
+            const example = self.lines[numbers[0] ?? 0]?.row.name ?? '';
+            const chooses = make(
+                'button',
+                { 'aria-pressed': 'false', title: say`For example ${example}` },
+                make('strong', {}, say`${numbers.length} of ${self.lines.length}`),
+                ` ${words}`,
+            );
+            chooses.addEventListener('click', () => {
+                const isOn = chooses.getAttribute('aria-pressed') === 'true';
+                for (const other of html('marks-mistakes').querySelectorAll('button'))
+                    other.setAttribute('aria-pressed', 'false');
+                chooses.setAttribute('aria-pressed', String(!isOn));
+                self.chosen = isOn ? null : new Set(numbers);
+                arrange(self);
+            });
+            return make('li', {}, chooses);
+        }),
+    );
+}
+
+/** Ends marking, and shows no result. @param {Table} self */
+function clear(self) {
+    self.marking.abort();
+    self.marking = new AbortController();
+    self.lines = [];
+    [self.chosen, self.csv] = [null, ''];
+    html('marks-result').hidden = true;
+    html('marks-status').replaceChildren();
+}
+
+/** @param {Table} self @param {string} text */
+async function mark(self, text) {
+    clear(self);
+    if (text.trim() === '') return;
+    const turn = self.marking;
+    const status = html('marks-status');
+    setText(status, say`Marking…`);
+    let all = 0;
+    let hasVariants = false;
+    const progress = (/** @type {import('../protocol.js').ClassProgress} */ told) => {
+        if (turn !== self.marking) return;
+        if ('about' in told) {
+            [self.title, all, hasVariants] = [told.about.title, told.about.answers, told.about.variants > 1];
+            showHead(self, hasVariants);
+            self.body?.replaceChildren();
+            showMistakes(self, []);
+            html('marks-result').hidden = false;
+            return;
+        }
+        const element = lineOf(told.row, told.picture, hasVariants);
+        self.lines.push({ row: told.row, element, number: self.lines.length });
+        self.body?.append(element);
+        setText(status, say`Marking… ${self.lines.length} of ${all}`);
+    };
+    try {
+        const exercise = input('marks-exercise').value;
+        const done = await tool.call('markClass', { exercise, text }, { signal: turn.signal, progress });
+        if (turn !== self.marking) return;
+        self.csv = done.csv;
+        showMistakes(self, done.mistakes);
+        const solved = self.lines.filter(({ row }) => row.isSolved).length;
+        setText(
+            status,
+            self.title === ''
+                ? say`${solved} of ${self.lines.length} solved.`
+                : say`${said(self.title)}: ${solved} of ${self.lines.length} solved.`,
+        );
+        arrange(self);
+    } catch (error) {
+        if (error instanceof Cancelled || turn !== self.marking) return;
+        showFailure(status, error, () => void mark(self, text));
+    }
 }
 
 /** @param {Uint8Array} picture */

@@ -1,16 +1,16 @@
 /** What the mathematics says: how the generations grow, in words, as a plot, a matrix and a table. */
 
 import styles from '../../css/course.css';
-import { button, html, make, setText } from '../dom.js';
-import { download, fileName } from '../download.js';
-import { copyText } from '../copy.js';
-import { showFailure } from '../failure.js';
-import { addElements } from '../late.js';
-import { raised, shortText } from '../numerals.js';
-import { definitionOf, sameSystem } from '../state.js';
-import { counted, language, say } from '../words.js';
+import { button, html, make, setText, svg } from '../base/dom.js';
+import { download, fileName } from '../base/download.js';
+import { copyText } from '../base/copy.js';
+import { showFailure } from '../base/failure.js';
+import { addElements } from '../base/late.js';
+import { raised, shortText } from '../base/numerals.js';
+import { definitionOf, sameSystem } from '../state/state.js';
+import { counted, language, say } from '../base/words.js';
 import markup from './mathematics.html';
-import { courseTool as tool } from './tool.js';
+import { studyTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').Growth} Growth */
 
@@ -18,15 +18,14 @@ import { courseTool as tool } from './tool.js';
 const [WIDTH, HEIGHT, LEFT, BOTTOM, TOP] = [320, 150, 34, 20, 8];
 /** The most generations in the plot and in the table. */
 const MOST_SHOWN = 40;
-const SVG = 'http://www.w3.org/2000/svg';
 
-/** @param {import('../dialogs.js').Page} page */
+/** @param {import('../dialogs/dialogs.js').Page} page */
 export function createMathematics({ store, open }) {
     const part = html('mathematics');
     addElements(markup, [styles], part);
     /** The last answer, for the files. @type {{csv: string, latex: string} | null} */
     let made = null;
-    /** The state that is shown. @type {Readonly<import('../state.js').State> | null} */
+    /** The state that is shown. @type {Readonly<import('../state/state.js').State> | null} */
     let shown = null;
     let turn = 0;
 
@@ -61,137 +60,6 @@ export function createMathematics({ store, open }) {
         table(answer.growth, state.iterations);
     }
 
-    /** @param {Growth} growth @param {number} n */
-    function plot(growth, n) {
-        const rows = growth.table
-            .slice(0, Math.max(n, 8) + 1)
-            .filter(
-                (_, at, all) => all.length <= 4 * MOST_SHOWN || at % Math.ceil(all.length / (4 * MOST_SHOWN)) === 0,
-            );
-        const most = Math.max(1, ...rows.flatMap(({ symbols, segments }) => [symbols.log10 ?? 0, segments.log10 ?? 0]));
-        const last = rows.at(-1)?.n ?? 1;
-        const x = (/** @type {number} */ at) => LEFT + (at / Math.max(1, last)) * (WIDTH - LEFT - 8);
-        const y = (/** @type {number} */ log) => HEIGHT - BOTTOM - (log / most) * (HEIGHT - BOTTOM - TOP);
-        /** @param {string} tag @param {Record<string, string | number>} attributes @param {string} [words] */
-        const svg = (tag, attributes, words = '') => {
-            const element = document.createElementNS(SVG, tag);
-            for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-            element.textContent = words;
-            return element;
-        };
-        /** @param {'symbols' | 'segments'} what */
-        const line = (what) =>
-            svg('polyline', {
-                class: what,
-                points: rows
-                    .flatMap((row) =>
-                        row[what].log10 === null
-                            ? []
-                            : [`${x(row.n).toFixed(1)},${y(row[what].log10 ?? 0).toFixed(1)}`],
-                    )
-                    .join(' '),
-            });
-        const step = Math.max(1, Math.ceil(most / 4));
-        const marks = Array.from({ length: Math.floor(most / step) + 1 }, (_, at) => at * step);
-        const now = rows.find((row) => row.n === n);
-        const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img' });
-        picture.append(
-            svg(
-                'title',
-                {},
-                `${say`Symbols and segments by generation, on a logarithmic scale.`} ${growth.sentences[0] ?? ''}`,
-            ),
-            ...marks.flatMap((log) => [
-                svg('line', { class: 'grid', x1: LEFT, x2: WIDTH - 8, y1: y(log), y2: y(log) }),
-                svg(
-                    'text',
-                    { x: LEFT - 4, y: y(log) + 3, 'text-anchor': 'end' },
-                    log === 0 ? '1' : log === 1 ? '10' : `10${raised(log)}`,
-                ),
-            ]),
-            svg('line', { class: 'now', x1: x(n), x2: x(n), y1: TOP, y2: HEIGHT - BOTTOM }),
-            line('symbols'),
-            line('segments'),
-            ...(now?.segments.log10 == null ? [] : [svg('circle', { cx: x(n), cy: y(now.segments.log10), r: 3 })]),
-            svg('text', { x: LEFT, y: HEIGHT - 6 }, '0'),
-            svg('text', { x: WIDTH - 8, y: HEIGHT - 6, 'text-anchor': 'end' }, String(last)),
-            svg(
-                'text',
-                { x: x(n), y: HEIGHT - 6, 'text-anchor': 'middle', class: n > 0 && n < last ? '' : 'unseen-text' },
-                n > 0 && n < last ? `n = ${n}` : '',
-            ),
-        );
-        html('math-plot').replaceChildren(picture);
-    }
-
-    /** @param {Growth} growth @param {number} most */
-    function matrix(growth, most) {
-        const letters = growth.letters.slice(0, most);
-        const head = make(
-            'tr',
-            {},
-            make('td', {}),
-            ...letters.map((letter) => make('th', { scope: 'col' }, make('code', {}, letter))),
-        );
-        const rows = letters.map((letter, at) =>
-            make(
-                'tr',
-                {},
-                make('th', { scope: 'row' }, make('code', {}, letter)),
-                ...letters.map((_, to) => make('td', {}, number(growth.matrix[at]?.[to] ?? 0))),
-            ),
-        );
-        html('math-matrix').replaceChildren(
-            make(
-                'caption',
-                {},
-                growth.isRandom
-                    ? say`What a letter becomes in one step, on average`
-                    : say`What a letter becomes in one step`,
-            ),
-            head,
-            ...rows,
-        );
-        const more = growth.letterCount - letters.length;
-        setText(html('math-more'), more > 0 ? counted(more, 'And {} more letter.', 'And {} more letters.') : '');
-    }
-
-    /** @param {Growth} growth @param {number} n */
-    function table(growth, n) {
-        const from = Math.max(0, Math.min(n - MOST_SHOWN / 2, growth.table.length - MOST_SHOWN));
-        const rows = growth.table
-            .slice(from, from + MOST_SHOWN)
-            .map((row) =>
-                make(
-                    'tr',
-                    row.n === n ? { class: 'now', 'aria-current': 'true' } : {},
-                    make('th', { scope: 'row' }, String(row.n)),
-                    make('td', { title: row.symbols.digits }, short(row.symbols.digits)),
-                    make('td', { title: row.segments.digits }, short(row.segments.digits)),
-                    make(
-                        'td',
-                        {},
-                        row.spread !== null
-                            ? `± ${number(row.spread)}`
-                            : row.size
-                              ? `${number(row.size[0])} × ${number(row.size[1])}`
-                              : '',
-                    ),
-                ),
-            );
-        html('math-table').replaceChildren(
-            make('caption', { class: 'unseen' }, say`Generations`),
-            make(
-                'tr',
-                {},
-                ...['n', say`Symbols`, say`Segments`, growth.isRandom ? say`Spread` : say`Size`].map((words) =>
-                    make('th', { scope: 'col' }, words),
-                ),
-            ),
-            ...rows,
-        );
-    }
-
     store.subscribe(() => void show());
     button('math-csv').addEventListener(
         'click',
@@ -211,6 +79,126 @@ export function createMathematics({ store, open }) {
             return show();
         },
     };
+}
+
+/** @param {Growth} growth @param {number} n */
+function plot(growth, n) {
+    const rows = growth.table
+        .slice(0, Math.max(n, 8) + 1)
+        .filter((_, at, all) => all.length <= 4 * MOST_SHOWN || at % Math.ceil(all.length / (4 * MOST_SHOWN)) === 0);
+    const most = Math.max(1, ...rows.flatMap(({ symbols, segments }) => [symbols.log10 ?? 0, segments.log10 ?? 0]));
+    const last = rows.at(-1)?.n ?? 1;
+    const x = (/** @type {number} */ at) => LEFT + (at / Math.max(1, last)) * (WIDTH - LEFT - 8);
+    const y = (/** @type {number} */ log) => HEIGHT - BOTTOM - (log / most) * (HEIGHT - BOTTOM - TOP);
+    /** @param {'symbols' | 'segments'} what */
+    const line = (what) =>
+        svg('polyline', {
+            class: what,
+            points: rows
+                .flatMap((row) =>
+                    row[what].log10 === null ? [] : [`${x(row.n).toFixed(1)},${y(row[what].log10 ?? 0).toFixed(1)}`],
+                )
+                .join(' '),
+        });
+    const step = Math.max(1, Math.ceil(most / 4));
+    const marks = Array.from({ length: Math.floor(most / step) + 1 }, (_, at) => at * step);
+    const now = rows.find((row) => row.n === n);
+    const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img' });
+    picture.append(
+        svg(
+            'title',
+            {},
+            `${say`Symbols and segments by generation, on a logarithmic scale.`} ${growth.sentences[0] ?? ''}`,
+        ),
+        ...marks.flatMap((log) => [
+            svg('line', { class: 'grid', x1: LEFT, x2: WIDTH - 8, y1: y(log), y2: y(log) }),
+            svg(
+                'text',
+                { x: LEFT - 4, y: y(log) + 3, 'text-anchor': 'end' },
+                log === 0 ? '1' : log === 1 ? '10' : `10${raised(log)}`,
+            ),
+        ]),
+        svg('line', { class: 'now', x1: x(n), x2: x(n), y1: TOP, y2: HEIGHT - BOTTOM }),
+        line('symbols'),
+        line('segments'),
+        ...(now?.segments.log10 == null ? [] : [svg('circle', { cx: x(n), cy: y(now.segments.log10), r: 3 })]),
+        svg('text', { x: LEFT, y: HEIGHT - 6 }, '0'),
+        svg('text', { x: WIDTH - 8, y: HEIGHT - 6, 'text-anchor': 'end' }, String(last)),
+        svg(
+            'text',
+            { x: x(n), y: HEIGHT - 6, 'text-anchor': 'middle', class: n > 0 && n < last ? '' : 'unseen-text' },
+            n > 0 && n < last ? `n = ${n}` : '',
+        ),
+    );
+    html('math-plot').replaceChildren(picture);
+}
+
+/** @param {Growth} growth @param {number} most */
+function matrix(growth, most) {
+    const letters = growth.letters.slice(0, most);
+    const head = make(
+        'tr',
+        {},
+        make('td', {}),
+        ...letters.map((letter) => make('th', { scope: 'col' }, make('code', {}, letter))),
+    );
+    const rows = letters.map((letter, at) =>
+        make(
+            'tr',
+            {},
+            make('th', { scope: 'row' }, make('code', {}, letter)),
+            ...letters.map((_, to) => make('td', {}, number(growth.matrix[at]?.[to] ?? 0))),
+        ),
+    );
+    html('math-matrix').replaceChildren(
+        make(
+            'caption',
+            {},
+            growth.isRandom
+                ? say`What a letter becomes in one step, on average`
+                : say`What a letter becomes in one step`,
+        ),
+        head,
+        ...rows,
+    );
+    const more = growth.letterCount - letters.length;
+    setText(html('math-more'), more > 0 ? counted(more, 'And {} more letter.', 'And {} more letters.') : '');
+}
+
+/** @param {Growth} growth @param {number} n */
+function table(growth, n) {
+    const from = Math.max(0, Math.min(n - MOST_SHOWN / 2, growth.table.length - MOST_SHOWN));
+    const rows = growth.table
+        .slice(from, from + MOST_SHOWN)
+        .map((row) =>
+            make(
+                'tr',
+                row.n === n ? { class: 'now', 'aria-current': 'true' } : {},
+                make('th', { scope: 'row' }, String(row.n)),
+                make('td', { title: row.symbols.digits }, short(row.symbols.digits)),
+                make('td', { title: row.segments.digits }, short(row.segments.digits)),
+                make(
+                    'td',
+                    {},
+                    row.spread !== null
+                        ? `± ${number(row.spread)}`
+                        : row.size
+                          ? `${number(row.size[0])} × ${number(row.size[1])}`
+                          : '',
+                ),
+            ),
+        );
+    html('math-table').replaceChildren(
+        make('caption', { class: 'unseen' }, say`Generations`),
+        make(
+            'tr',
+            {},
+            ...['n', say`Symbols`, say`Segments`, growth.isRandom ? say`Spread` : say`Size`].map((words) =>
+                make('th', { scope: 'col' }, words),
+            ),
+        ),
+        ...rows,
+    );
 }
 
 /** @param {string} digits */

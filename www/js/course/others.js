@@ -3,17 +3,18 @@
  * students are marked.
  */
 
-import { button, html, setText } from '../dom.js';
+import { button, html, setText } from '../base/dom.js';
 import { wholeOf } from '../exercise/open.js';
 import { blackOnWhite, pictureOf } from '../find/examples.js';
 import { inked, levelOf } from '../find/ink.js';
 import { candidateCard, workWords } from '../find/results.js';
 import { createSearch } from '../find/search.js';
 import { ASKS, DRAWS } from '../late-tables.js';
-import { Cancelled } from '../tool.js';
-import { counted, say } from '../words.js';
+import { Cancelled } from '../engine/tool.js';
+import { classTool } from './tool.js';
+import { counted, reasonOf, say } from '../base/words.js';
 
-/** @typedef {import('../state.js').Definition} Definition */
+/** @typedef {import('../state/state.js').Definition} Definition */
 /** @typedef {import('../protocol.js').Exercise} Exercise */
 /** @typedef {import('../protocol.js').AboutExercise} AboutExercise */
 /** @typedef {import('../protocol.js').Candidate} Candidate */
@@ -72,7 +73,7 @@ const shorterWords = (count) =>
         : counted(count, '{} of them is shorter than yours.', '{} of them are shorter than yours.');
 
 /**
- * @param {import('../engine.js').Engine} engine
+ * @param {import('../engine/engine.js').Engine} engine
  * @param {import('./tool.js').CourseTool} tool
  * @param {() => Exercise} exercise
  */
@@ -82,8 +83,6 @@ export function createOthers(engine, tool, exercise) {
     const search = createSearch();
     /** @type {AbortController | null} */
     let running = null;
-
-    const tell = (/** @type {string} */ words) => setText(html('maker-unique-words'), words);
 
     function stop() {
         running?.abort();
@@ -98,60 +97,6 @@ export function createOthers(engine, tool, exercise) {
         cards.replaceChildren();
     }
 
-    /** @param {Exercise} made @param {AbortSignal} signal */
-    async function look(made, signal) {
-        const { target } = made;
-        if (!ASKS[made.asks].isSearched) return tell(say`Only exercises that ask for the picture are searched.`);
-        if (target.dialect === 'axes' || (target.rightAngle !== null && target.rightAngle !== target.angle))
-            return tell(say`Systems in space and with two angles are not searched.`);
-        const x = await tool.call('write', { exercise: made });
-        const about = await tool.call('open', { text: x });
-        const picture = await pictureOf(engine, target);
-        const crop = { left: 0, top: 0, right: picture.width, bottom: picture.height };
-        const source = inked(picture, { crop, level: levelOf(picture, crop), isDark: true });
-        const own = answerOf(target, about);
-        const { symbols: ownSymbols } = (await tool.call('mark', { text: x, student: own }, { signal })).mark;
-        tell(say`Searching…`);
-        const report = await search.begin(source, questionOf(made), signal, (so) => tell(`${workWords(so, false)}…`), {
-            thorough: true,
-        });
-        /** Other answers that are solved, by what they are. @type {Map<string, {candidate: Candidate, symbols: number}>} */
-        const answers = new Map();
-        for (const candidate of report.candidates) {
-            const student = answerOf(candidate.definition, about);
-            if (!candidate.isFound || keyOf(student) === keyOf(own) || answers.has(keyOf(student))) continue;
-            const { mark } = await tool.call('mark', { text: x, student }, { signal });
-            if (mark.isSolved)
-                answers.set(keyOf(student), {
-                    candidate: { ...candidate, definition: student },
-                    symbols: mark.symbols,
-                });
-        }
-        const all = [...answers.values()].sort((a, b) => a.symbols - b.symbols);
-        const shorter = all.filter(({ symbols }) => symbols < ownSymbols).length;
-        const searched = say`Searched: ${workWords(report, false)}: ${report.searched}.`;
-        tell(
-            all.length === 0
-                ? say`No other answer was found. That does not prove that there is none. ${searched}`
-                : `${othersWords(all.length)} ${shorterWords(shorter)} ${searched}`,
-        );
-        cards.replaceChildren(
-            ...all.map(({ candidate, symbols }) =>
-                candidateCard(
-                    { ...candidate, symbols },
-                    {
-                        engine,
-                        restyle: blackOnWhite,
-                        told:
-                            symbols < ownSymbols
-                                ? counted(symbols, '{} symbol, shorter', '{} symbols, shorter')
-                                : counted(symbols, '{} symbol', '{} symbols'),
-                    },
-                ),
-            ),
-        );
-    }
-
     ask.addEventListener('click', async () => {
         forget();
         const own = (running = new AbortController());
@@ -159,10 +104,9 @@ export function createOthers(engine, tool, exercise) {
         halt.hidden = false;
         halt.focus();
         try {
-            await look(exercise(), own.signal);
+            await look(engine, tool, cards, search, exercise(), own.signal);
         } catch (error) {
-            if (!(error instanceof Cancelled))
-                tell(say`The search failed: ${String(error instanceof Error ? error.message : error)}`);
+            if (!(error instanceof Cancelled)) tell(say`The search failed: ${reasonOf(error)}`);
         }
         if (running === own) stop();
     });
@@ -173,4 +117,67 @@ export function createOthers(engine, tool, exercise) {
     });
 
     return { forget };
+}
+
+const tell = (/** @type {string} */ words) => setText(html('maker-unique-words'), words);
+
+/**
+ * @param {import('../engine/engine.js').Engine} engine
+ * @param {import('./tool.js').CourseTool} tool
+ * @param {HTMLElement} cards
+ * @param {ReturnType<typeof createSearch>} search
+ * @param {Exercise} made
+ * @param {AbortSignal} signal
+ */
+async function look(engine, tool, cards, search, made, signal) {
+    const { target } = made;
+    if (!ASKS[made.asks].isSearched) return tell(say`Only exercises that ask for the picture are searched.`);
+    if (target.dialect === 'axes' || (target.rightAngle !== null && target.rightAngle !== target.angle))
+        return tell(say`Systems in space and with two angles are not searched.`);
+    const x = await classTool.call('write', { exercise: made });
+    const about = await tool.call('open', { text: x });
+    const picture = await pictureOf(engine, target);
+    const crop = { left: 0, top: 0, right: picture.width, bottom: picture.height };
+    const source = inked(picture, { crop, level: levelOf(picture, crop), isDark: true });
+    const own = answerOf(target, about);
+    const { symbols: ownSymbols } = (await tool.call('mark', { text: x, student: own }, { signal })).mark;
+    tell(say`Searching…`);
+    const report = await search.begin(source, questionOf(made), signal, (so) => tell(`${workWords(so, false)}…`), {
+        thorough: true,
+    });
+    /** Other answers that are solved, by what they are. @type {Map<string, {candidate: Candidate, symbols: number}>} */
+    const answers = new Map();
+    for (const candidate of report.candidates) {
+        const student = answerOf(candidate.definition, about);
+        if (!candidate.isFound || keyOf(student) === keyOf(own) || answers.has(keyOf(student))) continue;
+        const { mark } = await tool.call('mark', { text: x, student }, { signal });
+        if (mark.isSolved)
+            answers.set(keyOf(student), {
+                candidate: { ...candidate, definition: student },
+                symbols: mark.symbols,
+            });
+    }
+    const all = [...answers.values()].sort((a, b) => a.symbols - b.symbols);
+    const shorter = all.filter(({ symbols }) => symbols < ownSymbols).length;
+    const searched = say`Searched: ${workWords(report, false)}: ${report.searched}.`;
+    tell(
+        all.length === 0
+            ? say`No other answer was found. That does not prove that there is none. ${searched}`
+            : `${othersWords(all.length)} ${shorterWords(shorter)} ${searched}`,
+    );
+    cards.replaceChildren(
+        ...all.map(({ candidate, symbols }) =>
+            candidateCard(
+                { ...candidate, symbols },
+                {
+                    engine,
+                    restyle: blackOnWhite,
+                    told:
+                        symbols < ownSymbols
+                            ? counted(symbols, '{} symbol, shorter', '{} symbols, shorter')
+                            : counted(symbols, '{} symbol', '{} symbols'),
+                },
+            ),
+        ),
+    );
 }

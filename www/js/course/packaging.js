@@ -1,16 +1,16 @@
 /** Packages for learning systems, made of the site's pages. */
 
-import { decimal } from '../numerals.js';
-import { download } from '../download.js';
-import { isWhole, responseOf } from '../files.js';
-import { createTool } from '../tool.js';
-import { language, say, words } from '../words.js';
+import { decimal } from '../base/numerals.js';
+import { download } from '../base/download.js';
+import { isWhole, responseOf } from '../base/files.js';
+import { createTool } from '../engine/tool.js';
+import { language, say, words } from '../base/words.js';
 
 /** A page in one file has no other pages beside it. */
 const ALONE = say`This page is a single file and has no package inside. Open the playground on a web server, or use the program: lsys scorm.`;
 
-/** @type {ReturnType<typeof createTool<import('../protocol.js').ExportCalls>>} */
-const tool = createTool('export', { isStraight: true });
+/** @type {ReturnType<typeof createTool<import('../protocol.js').PackageCalls>>} */
+const tool = createTool('package', { isStraight: true });
 
 /** A file name for a title. @param {string} title */
 const nameOf = (title) =>

@@ -1,7 +1,7 @@
 /** The published exercises, in the order in which they are done. */
 
-import { jsonOf } from '../files.js';
-import { say } from '../words.js';
+import { jsonOf } from '../base/files.js';
+import { say } from '../base/words.js';
 
 /** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
 

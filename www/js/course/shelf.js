@@ -1,8 +1,8 @@
 /** The exercises of the gallery: cards that open an exercise in a window of its own. */
 
-import { make } from '../dom.js';
-import { emptyThumb } from '../thumb.js';
-import { said, say } from '../words.js';
+import { make } from '../base/dom.js';
+import { emptyThumb } from '../dialogs/thumb.js';
+import { said, say } from '../base/words.js';
 import { GROUPS } from './published.js';
 import { courseTool } from './tool.js';
 

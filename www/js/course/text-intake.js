@@ -1,6 +1,6 @@
 /** A text that is typed, pasted, opened as a file or dropped on a dialog. */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** Longer texts are not taken, in characters. */
 const LONGEST = 16 << 20;

@@ -1,9 +1,9 @@
 /** The editors of the curves in the rules, and of those of leaves: a plot for each, whose points are the text's. */
 
 import styles from '../../css/curves.css';
-import { html, make } from '../dom.js';
-import { addElements } from '../late.js';
-import { say } from '../words.js';
+import { html, make } from '../base/dom.js';
+import { addElements } from '../base/late.js';
+import { say } from '../base/words.js';
 import { curvesIn, written } from './curve.js';
 import markup from './curves.html';
 import { FRESH, PARTS, leavesIn, missingFrom, numbersOf, withCurve } from './leaf.js';
@@ -40,7 +40,7 @@ const editableIn = ({ rules, surfaces }) => [
     ),
 ];
 
-/** @param {import('../dialogs.js').Page} page */
+/** @param {import('../dialogs/dialogs.js').Page} page */
 export function createCurves({ store }) {
     const group = html('curves');
     addElements(markup, [styles], group);
@@ -57,7 +57,7 @@ export function createCurves({ store }) {
 
     /** A button that makes a leaf for a surface without one. @param {string} name */
     function maker(name) {
-        const add = make('button', { type: 'button', class: 'button quiet' }, say`Make a leaf for surface ${name}`);
+        const add = make('button', { class: 'button quiet' }, say`Make a leaf for surface ${name}`);
         add.addEventListener('click', () => {
             const { surfaces } = store.state;
             store.change({ surfaces: `${surfaces && `${surfaces}\n`}${name}: ${numbersOf(FRESH)}` }, `leaf ${name}`);

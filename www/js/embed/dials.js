@@ -1,11 +1,11 @@
 /** Sliders and fields for the iterations and the angles of an embedded drawing. */
 
 import { dial } from '../controls/dial.js';
-import { html, setText } from '../dom.js';
-import { say } from '../words.js';
+import { html, setText } from '../base/dom.js';
+import { say } from '../base/words.js';
 
 /**
- * @param {import('../store.js').Store} store
+ * @param {import('../state/store.js').Store} store
  */
 export function createDials(store) {
     const steps = dial(store, 'iterations', 'iterations');
@@ -20,7 +20,7 @@ export function createDials(store) {
             html('right-row').hidden = !controls.includes('angle') || store.state.rightAngle === null;
         },
 
-        /** @param {Readonly<import('../state.js').State>} state */
+        /** @param {Readonly<import('../state/state.js').State>} state */
         show(state) {
             steps.show(state.iterations);
             turns.show(state.angle);

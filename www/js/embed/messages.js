@@ -4,10 +4,10 @@
  * only `hello`.
  */
 
-import { bestLink, openLink } from '../packed.js';
+import { bestLink, openLink } from '../state/packed.js';
 import { readControls, readTheme } from './options.js';
 import { fieldsOf, valuesOf } from './values.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').Report} Report */
 /** @typedef {import('./options.js').Control} Control */
@@ -18,7 +18,7 @@ const PAUSE = 50;
 const MAX_QUEUED = 20;
 
 /**
- * @param {import('../store.js').Store} store
+ * @param {import('../state/store.js').Store} store
  * @param {{host: string | null, offer: (controls: Control[]) => void, theme: (theme: 'light' | 'dark' | null) => void, play: (on: boolean) => void, facts: () => {description: string, symbols: string | null, segments: string | null}}} page
  */
 export function connectHost(store, { host, offer, theme: paint, play, facts }) {

@@ -1,10 +1,10 @@
 /** The state's values by the keys of links, for messages. Pure functions. */
 
-import { KEYS } from '../link.js';
-import { cleanField, problemOf } from '../state.js';
-import { say } from '../words.js';
+import { KEYS } from '../state/link.js';
+import { cleanField, problemOf } from '../state/state.js';
+import { say } from '../base/words.js';
 
-/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../state/state.js').State} State */
 
 /** The maximum number of reported problems. */
 const MOST_PROBLEMS = 20;

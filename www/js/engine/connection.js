@@ -8,10 +8,10 @@
  * state.
  */
 
-import { ours } from '../words.js';
+import { ours } from '../base/words.js';
 import { core, forgetCore, hire, restOfCore } from './core.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('./core.js').Hired} Hired */
 /** @typedef {import('../protocol.js').FromWorker} FromWorker */
@@ -126,13 +126,13 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         received(message);
         // If the rest does not load, it is requested again with the next picture.
         if (message.type === 'done' && !isWhole) complete().catch(() => {});
-        if (message.type === 'fatal') fail(message.message);
+        if (message.type === 'fatal') fail(message.message, message.isEarly);
     }
 
-    /** @param {string} message */
-    function fail(message) {
+    /** @param {string} message @param {boolean} [isEarly] whether the worker did not have the rest yet, which may be on its way */
+    function fail(message, isEarly = !isWhole) {
         if (!started) return failLoading(message);
-        if (isWhole) return stopped('crashed', message);
+        if (!isEarly) return stopped('crashed', message);
         startsWhole = true;
         start();
     }

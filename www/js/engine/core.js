@@ -4,9 +4,9 @@
  * 200, is fetched again.
  */
 
-import { REST, WASM, WORKER, scriptAddress } from '../files.js';
-import { compile } from '../wasm.js';
-import { say } from '../words.js';
+import { REST, WASM, WORKER, scriptAddress } from '../base/files.js';
+import { compile } from './wasm.js';
+import { say } from '../base/words.js';
 
 /** A wasm that is compiled once. @param {(anew: boolean) => Promise<WebAssembly.Module>} load `anew` bypasses the browser's cache */
 function createPart(load) {

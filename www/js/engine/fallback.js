@@ -43,14 +43,9 @@ export function createFallback(newest, outbox, doubted) {
             return at.question;
         },
 
-        /** @param {At} next */
-        moved(next) {
+        /** The worker has another task, or none because it was replaced. @param {At} [next] */
+        moved(next = NOWHERE) {
             at = next;
-        },
-
-        /** The worker was replaced. */
-        forget() {
-            at = NOWHERE;
         },
 
         /** The newest state was drawn completely. */

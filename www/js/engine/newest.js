@@ -1,6 +1,6 @@
 /** The newest state that the page wants to see: a definition and a look. The engine sends the state when the worker is free. */
 
-import { same } from '../state.js';
+import { same } from '../state/state.js';
 
 /** @typedef {import('../protocol.js').Define['definition']} Definition */
 /** How the picture is shown; only the first `upto` segments, or all if null. @typedef {{canvas: import('../protocol.js').Canvas, view: import('../protocol.js').View, camera: import('../protocol.js').Camera | null, upto: bigint | null}} Look */

@@ -1,6 +1,6 @@
 /** Open questions to the worker. Questions outlive the worker: a fresh worker is asked the open ones again. */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').Asked} Asked */
 /** @typedef {import('../protocol.js').Questions} Questions */

@@ -1,20 +1,20 @@
 /** An exercise on the embedded page: the task, the target, the mark of the own drawing, hints, and handing in. */
 
-import { addressOf } from '../files.js';
-import { announce, toast } from '../announce.js';
-import { isDark } from '../colour-schemes.js';
-import { copyKeys, copyText } from '../copy.js';
-import { button, byId, html, input, make, setText } from '../dom.js';
-import { DEFAULTS, clean, definitionOf, sameSystem } from '../state.js';
+import { addressOf } from '../base/files.js';
+import { announce, toast } from '../base/announce.js';
+import { isDark } from '../state/colour-schemes.js';
+import { copyKeys, copyText } from '../base/copy.js';
+import { button, byId, html, input, make, setText } from '../base/dom.js';
+import { DEFAULTS, clean, definitionOf, sameSystem } from '../state/state.js';
 import { ASKS } from '../late-tables.js';
 import { DIALECTS } from '../tables.js';
-import { Cancelled, createTool } from '../tool.js';
-import { counted, said, say } from '../words.js';
+import { Cancelled, createTool } from '../engine/tool.js';
+import { counted, reasonOf, said, say } from '../base/words.js';
 import { answerLink, exerciseIn, startOf, studentIn, wholeOf } from './open.js';
 import { createTarget } from './target.js';
 import { inline, paragraphs } from './words.js';
 
-/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../state/state.js').State} State */
 /** @typedef {import('../protocol.js').Mark} Mark */
 
 /** A mark waits for a pause in typing of this length, in milliseconds. */
@@ -53,29 +53,54 @@ const NEARLY = 0.98;
 const MOST_ERRORS = 1;
 
 /**
- * @param {import('../store.js').Store} store
+ * An exercise on the page.
+ * @typedef {object} Visit
+ * @property {import('../state/store.js').Store} store
+ * @property {NonNullable<Awaited<ReturnType<typeof openExercise>>>['text']} text
+ * @property {NonNullable<Awaited<ReturnType<typeof openExercise>>>['own']} variantText
+ * @property {NonNullable<Awaited<ReturnType<typeof openExercise>>>['about']} about
+ * @property {NonNullable<Awaited<ReturnType<typeof openExercise>>>['tool']} tool
+ * @property {(mark: Mark, link: string, isTouched: boolean) => void} marked
+ * @property {HTMLInputElement} name
+ * @property {ReturnType<typeof createTarget>} target
+ * @property {AbortController} marking Stops the mark in the making
+ * @property {number} timer
+ * @property {boolean} solved
+ * @property {boolean} isTouched Whether the student has changed anything in this visit
+ * @property {number} hints
+ */
+
+/**
+ * @param {import('../state/store.js').Store} store
  * @param {NonNullable<Awaited<ReturnType<typeof openExercise>>>} opened
  * @param {{marked: (mark: Mark, link: string, isTouched: boolean) => void, needs: (height: number) => void}} page
  */
 export function createExercise(store, { text, own: variantText, variant, about, tool }, { marked, needs }) {
-    const name = input('student-name');
-    const target = createTarget({
-        picture: async (width, height, ratio) =>
-            new Uint8ClampedArray((await tool.call('picture', { text: variantText, width, height, ratio })).buffer),
-    });
-    /** Stops the mark in the making. */
-    let marking = new AbortController();
-    let timer = 0;
-    let solved = false;
-    /** Whether the student has changed anything in this visit. */
-    let isTouched = false;
-    let hints = 0;
+    /** @type {Visit} */
+    const self = {
+        store,
+        text,
+        variantText,
+        about,
+        tool,
+        marked,
+        name: input('student-name'),
+        target: createTarget({
+            picture: async (width, height, ratio) =>
+                new Uint8ClampedArray((await tool.call('picture', { text: variantText, width, height, ratio })).buffer),
+        }),
+        marking: new AbortController(),
+        timer: 0,
+        solved: false,
+        isTouched: false,
+        hints: 0,
+    };
 
-    name.value = studentIn(location.hash);
+    self.name.value = studentIn(location.hash);
     // The usual example is the answer to some exercises.
     byId('rules', HTMLTextAreaElement).placeholder = EXAMPLE;
     document.body.classList.add('exercising');
-    if (about.variants > 0 && name.value === '') return askName(about.title);
+    if (about.variants > 0 && self.name.value === '') return askName(about.title);
     if (parent !== window) {
         document.body.classList.add('framed');
         // A page that gives the frame a height asks to fill it.
@@ -85,139 +110,21 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
     setText(html('exercise-title'), said(about.title) || say`Exercise`);
     html('exercise-task').replaceChildren(...paragraphs(said(about.task || ASKS[about.asks].task)));
-    showGiven();
-    showHints();
+    showGiven(self);
+    showHints(self);
     html('texts').hidden = about.text === null;
     setText(html('target-text'), about.text ?? '');
     if (about.variants > 0) {
         // The link says whose variant it is; another name would be another exercise.
-        name.readOnly = true;
-        setText(html('variant'), say`Variant ${variant} of ${about.variants + 1}, for ${name.value}`);
+        self.name.readOnly = true;
+        setText(html('variant'), say`Variant ${variant} of ${about.variants + 1}, for ${self.name.value}`);
         html('variant').hidden = false;
     }
     html('handing').hidden = /(^|[#&])hand=0(&|$)/.test(location.hash);
 
-    /** What the student sees and cannot change. */
-    function showGiven() {
-        const values = [
-            about.axiom === 'shown' && [say`Axiom`, about.fixed.axiom],
-            about.n === 'shown' && [say`Iterations`, String(about.fixed.iterations)],
-            about.angle === 'shown' && [say`Angle`, `${about.fixed.angle}°`],
-            about.shownRules.trim() !== '' && [say`Rules`, about.shownRules],
-            about.turtle === 'shown' &&
-                about.fixed.dialect !== DEFAULTS.dialect && [say`Dialect`, said(DIALECTS[about.fixed.dialect].label)],
-            about.turtle === 'shown' && about.fixed.overrides !== '' && [say`Symbols`, about.fixed.overrides],
-            about.mostSymbols !== null && [
-                say`At most`,
-                counted(about.mostSymbols, '{} symbol in your rules', '{} symbols in your rules'),
-            ],
-        ];
-        const shown = values.filter((value) => Array.isArray(value));
-        html('given').replaceChildren(
-            ...shown.flatMap(([label, value]) => [make('dt', {}, String(label)), make('dd', {}, String(value))]),
-        );
-        const hidden = [
-            about.axiom === 'hidden' && say`the axiom`,
-            about.n === 'hidden' && say`the iterations`,
-            about.angle === 'hidden' && say`the angle`,
-            about.turtle === 'hidden' && say`the meaning of some symbols`,
-            about.hidesRules && say`some rules`,
-        ].filter(Boolean);
-        setText(html('given-hidden'), hidden.length > 0 ? say`Hidden, but in force: ${hidden.join(', ')}.` : '');
-        byId('axiom', HTMLTextAreaElement)
-            .closest('.field')
-            ?.classList.toggle('not-asked', about.axiom !== 'free');
-    }
-
-    function showHints() {
-        html('hints').replaceChildren(
-            ...about.hints.slice(0, hints).map((hint) => make('li', {}, ...inline(said(hint)))),
-        );
-        html('hints').hidden = hints === 0;
-        button('ask-hint').hidden = hints >= about.hints.length;
-        setText(
-            button('ask-hint'),
-            about.hints.length > 1 ? say`Hint ${hints + 1} of ${about.hints.length}` : say`Hint`,
-        );
-    }
-
-    const link = () => answerLink(text, about, store.state, name.value);
-
-    function follow() {
-        // What was wrong with the answer before says nothing about this one.
-        setText(html('mark-why'), '');
-        clearTimeout(timer);
-        timer = window.setTimeout(mark, PAUSE);
-    }
-
-    async function mark() {
-        marking.abort();
-        const own = (marking = new AbortController());
-        if (about.asks === 'statistics') {
-            // Until the mark is known, that of the answer before would look like this one's.
-            setText(html('mark-percent'), '');
-            setText(html('mark-words'), say`Comparing 400 seeds…`);
-        }
-        try {
-            const { mark, pixels } = await tool.call(
-                'mark',
-                { text: variantText, student: definitionOf(store.state) },
-                { signal: own.signal },
-            );
-            if (own !== marking) return;
-            target.compare(pixels);
-            show(mark);
-        } catch (error) {
-            if (error instanceof Cancelled || own !== marking) return;
-            setText(
-                html('mark-words'),
-                say`The drawing could not be compared (${String(error instanceof Error ? error.message : error)}).`,
-            );
-        }
-    }
-
-    /** @param {Mark} mark */
-    function show(mark) {
-        byId('mark-measure', HTMLMeterElement).value = mark.agreement;
-        setText(html('mark-percent'), mark.percent);
-        const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
-        setText(html('mark-words'), mark.isSolved ? say`Solved. ${words}` : words);
-        setText(
-            html('mark-symbols'),
-            about.mostSymbols === null ? '' : say`${mark.symbols} of at most ${about.mostSymbols} symbols`,
-        );
-        // Statistics that agree as far as chance allows are as good as equal ones.
-        byId('mark-measure', HTMLMeterElement).high = mark.isSolved ? 0.5 : NEARLY;
-        showText(mark.text);
-        html('mark').classList.toggle('solved', mark.isSolved);
-        button('ask-why').hidden = mark.isSolved || mark.errors.length > 0;
-        if (mark.isSolved && !solved) {
-            announce(say`Solved.`);
-            void showAnswer();
-        }
-        solved ||= mark.isSolved;
-        marked(mark, link(), isTouched);
-    }
-
-    /** Shows the answer's string, with what differs from the target marked. @param {string | null} text */
-    function showText(text) {
-        if (about.text === null) return;
-        let same = 0;
-        while (same < (text ?? '').length && text?.[same] === about.text[same]) same += 1;
-        const rest = (text ?? '').slice(same);
-        html('own-text').replaceChildren((text ?? '').slice(0, same), ...(rest === '' ? [] : [make('mark', {}, rest)]));
-    }
-
-    async function showAnswer() {
-        const answer = await tool.call('answer', { text: variantText }).catch(() => null);
-        if (!answer) return;
-        setText(html('answer-rules'), [answer.axiom, answer.rules].filter(Boolean).join('\n'));
-        html('answer').hidden = false;
-    }
-
     button('ask-hint').addEventListener('click', () => {
-        hints += 1;
-        showHints();
+        self.hints += 1;
+        showHints(self);
     });
     button('ask-why').addEventListener('click', async () => {
         const student = definitionOf(store.state);
@@ -229,29 +136,161 @@ export function createExercise(store, { text, own: variantText, variant, about, 
                 words ?? say`No usual mistake explains the difference. Compare the pictures part by part.`,
             );
     });
-    button('hand-in').addEventListener('click', async () => {
-        const address = addressOf(link());
-        if (await copyText(address)) return toast(say`Your answer is copied as a link. Paste it where you hand it in.`);
-        const field = input('answer-link');
-        field.hidden = false;
-        field.value = address;
-        field.select();
-        toast(say`Press ${copyKeys()} to copy the link.`);
-    });
+    button('hand-in').addEventListener('click', () => handIn(self));
+
     button('print').addEventListener('click', () => print());
     html('mark')
         .querySelector('form')
         ?.addEventListener('submit', (event) => event.preventDefault());
     store.subscribe((state, before) => {
-        target.setDark(isDark(state.background));
+        self.target.setDark(isDark(state.background));
         if (sameSystem(state, before)) return;
-        isTouched = true;
-        follow();
+        self.isTouched = true;
+        follow(self);
         // In its own window the address keeps the answer.
-        if (parent === window) history.replaceState(null, '', link());
+        if (parent === window) history.replaceState(null, '', link(self));
     });
-    target.setDark(isDark(store.state.background));
-    void mark();
+    self.target.setDark(isDark(store.state.background));
+    void mark(self);
+}
+
+/** What the student sees and cannot change. @param {Visit} self */
+function showGiven(self) {
+    const values = [
+        self.about.axiom === 'shown' && [say`Axiom`, self.about.fixed.axiom],
+        self.about.n === 'shown' && [say`Iterations`, String(self.about.fixed.iterations)],
+        self.about.angle === 'shown' && [say`Angle`, `${self.about.fixed.angle}°`],
+        self.about.shownRules.trim() !== '' && [say`Rules`, self.about.shownRules],
+        self.about.turtle === 'shown' &&
+            self.about.fixed.dialect !== DEFAULTS.dialect && [
+                say`Dialect`,
+                said(DIALECTS[self.about.fixed.dialect].label),
+            ],
+        self.about.turtle === 'shown' &&
+            self.about.fixed.overrides !== '' && [say`Symbols`, self.about.fixed.overrides],
+        self.about.mostSymbols !== null && [
+            say`At most`,
+            counted(self.about.mostSymbols, '{} symbol in your rules', '{} symbols in your rules'),
+        ],
+    ];
+    const shown = values.filter((value) => Array.isArray(value));
+    html('given').replaceChildren(
+        ...shown.flatMap(([label, value]) => [make('dt', {}, String(label)), make('dd', {}, String(value))]),
+    );
+    const hidden = [
+        self.about.axiom === 'hidden' && say`the axiom`,
+        self.about.n === 'hidden' && say`the iterations`,
+        self.about.angle === 'hidden' && say`the angle`,
+        self.about.turtle === 'hidden' && say`the meaning of some symbols`,
+        self.about.hidesRules && say`some rules`,
+    ].filter(Boolean);
+    setText(html('given-hidden'), hidden.length > 0 ? say`Hidden, but in force: ${hidden.join(', ')}.` : '');
+    byId('axiom', HTMLTextAreaElement)
+        .closest('.field')
+        ?.classList.toggle('not-asked', self.about.axiom !== 'free');
+}
+
+/** @param {Visit} self */
+function showHints(self) {
+    html('hints').replaceChildren(
+        ...self.about.hints.slice(0, self.hints).map((hint) => make('li', {}, ...inline(said(hint)))),
+    );
+    html('hints').hidden = self.hints === 0;
+    button('ask-hint').hidden = self.hints >= self.about.hints.length;
+    setText(
+        button('ask-hint'),
+        self.about.hints.length > 1 ? say`Hint ${self.hints + 1} of ${self.about.hints.length}` : say`Hint`,
+    );
+}
+
+/** @param {Visit} self */
+const link = (self) => answerLink(self.text, self.about, self.store.state, self.name.value);
+
+/** @param {Visit} self */
+function follow(self) {
+    // What was wrong with the answer before says nothing about this one.
+    setText(html('mark-why'), '');
+    clearTimeout(self.timer);
+    self.timer = window.setTimeout(() => mark(self), PAUSE);
+}
+
+/** @param {Visit} self */
+async function mark(self) {
+    self.marking.abort();
+    const own = (self.marking = new AbortController());
+    if (self.about.asks === 'statistics') {
+        // Until the mark is known, that of the answer before would look like this one's.
+        setText(html('mark-percent'), '');
+        setText(html('mark-words'), say`Comparing 400 seeds…`);
+    }
+    try {
+        const { mark, pixels } = await self.tool.call(
+            'mark',
+            { text: self.variantText, student: definitionOf(self.store.state) },
+            { signal: own.signal },
+        );
+        if (own !== self.marking) return;
+        self.target.compare(pixels);
+        show(self, mark);
+    } catch (error) {
+        if (error instanceof Cancelled || own !== self.marking) return;
+        setText(html('mark-words'), say`The drawing could not be compared (${reasonOf(error)}).`);
+    }
+}
+
+/** @param {Visit} self @param {Mark} mark */
+function show(self, mark) {
+    byId('mark-measure', HTMLMeterElement).value = mark.agreement;
+    setText(html('mark-percent'), mark.percent);
+    const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
+    setText(html('mark-words'), mark.isSolved ? say`Solved. ${words}` : words);
+    setText(
+        html('mark-symbols'),
+        self.about.mostSymbols === null ? '' : say`${mark.symbols} of at most ${self.about.mostSymbols} symbols`,
+    );
+    // Statistics that agree as far as chance allows are as good as equal ones.
+    byId('mark-measure', HTMLMeterElement).high = mark.isSolved ? 0.5 : NEARLY;
+    showText(self, mark.text);
+    html('mark').classList.toggle('solved', mark.isSolved);
+    button('ask-why').hidden = mark.isSolved || mark.errors.length > 0;
+    if (mark.isSolved && !self.solved) {
+        announce(say`Solved.`);
+        void showAnswer(self);
+    }
+    self.solved ||= mark.isSolved;
+    self.marked(mark, link(self), self.isTouched);
+}
+
+/**
+ * Shows the answer's string, with what differs from the target marked.
+ * @param {Visit} self
+ * @param {string | null} text
+ */
+function showText(self, text) {
+    if (self.about.text === null) return;
+    let same = 0;
+    while (same < (text ?? '').length && text?.[same] === self.about.text[same]) same += 1;
+    const rest = (text ?? '').slice(same);
+    html('own-text').replaceChildren((text ?? '').slice(0, same), ...(rest === '' ? [] : [make('mark', {}, rest)]));
+}
+
+/** @param {Visit} self */
+async function showAnswer(self) {
+    const answer = await self.tool.call('answer', { text: self.variantText }).catch(() => null);
+    if (!answer) return;
+    setText(html('answer-rules'), [answer.axiom, answer.rules].filter(Boolean).join('\n'));
+    html('answer').hidden = false;
+}
+
+/** @param {Visit} self */
+async function handIn(self) {
+    const address = addressOf(link(self));
+    if (await copyText(address)) return toast(say`Your answer is copied as a link. Paste it where you hand it in.`);
+    const field = input('answer-link');
+    field.hidden = false;
+    field.value = address;
+    field.select();
+    toast(say`Press ${copyKeys()} to copy the link.`);
 }
 
 /** What stands in the empty field for rules. */

@@ -1,9 +1,9 @@
 /** The way on from a solved exercise: the next one of the published list. */
 
 import { exercises } from '../course/published.js';
-import { html } from '../dom.js';
-import { isCarried } from '../files.js';
-import { said } from '../words.js';
+import { html } from '../base/dom.js';
+import { isCarried } from '../base/files.js';
+import { said } from '../base/words.js';
 
 /** Shows the link to the exercise after this one, if the list has one. @param {string} text the exercise, as in its link */
 export async function showNext(text) {

@@ -1,10 +1,10 @@
 /** Exercises in links: `#v=1&x=...` and what the student found (docs/exercises.md). */
 
-import { writeFields } from '../link.js';
-import { DEFAULTS, clean, same } from '../state.js';
+import { writeFields } from '../state/link.js';
+import { DEFAULTS, clean, same } from '../state/state.js';
 
-/** @typedef {import('../state.js').State} State */
-/** @typedef {import('../state.js').Definition} Definition */
+/** @typedef {import('../state/state.js').State} State */
+/** @typedef {import('../state/state.js').Definition} Definition */
 /** @typedef {import('../protocol.js').AboutExercise} AboutExercise */
 
 /** The longest name in an answer, in characters. */

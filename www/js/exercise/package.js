@@ -3,21 +3,20 @@
  * where they are. No answer is lost with a learning system that is late, refuses, forgets or is not there.
  */
 
-import { copyField, copyKeys } from '../copy.js';
-import { make, setText } from '../dom.js';
-import { say } from '../words.js';
-import { OWN, fieldsIn, keyOf, linkOf, merged, readAttempt, writeAttempt } from './attempt.js';
+import { copyField, copyKeys } from '../base/copy.js';
+import { make, setText } from '../base/dom.js';
+import { say } from '../base/words.js';
+import { createStorage } from '../state/storage.js';
+import { createAnswers } from './answers.js';
+import { OWN, fieldsIn, keyOf, linkOf } from './attempt.js';
 import { createScorm } from './scorm.js';
 
-/** @typedef {import('./attempt.js').Attempt} Attempt */
 /** @typedef {import('./attempt.js').Part} Part */
 
 /** Answers wait for a pause in typing of this length before they are sent, in milliseconds. */
 const PAUSE = 1500;
 /** The first and the longest wait before another try, in milliseconds. */
 const [FIRST_WAIT, LONGEST_WAIT] = [2000, 30_000];
-/** How often a state is halved for a learning system that refuses it. */
-const HALVINGS = 3;
 
 const ABSENT = say`No learning system answers here.`;
 const PREVIEW = say`This is a preview: the learning system saves nothing.`;
@@ -33,20 +32,12 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     const texts = tasks.map((task) => /[#&]x=([\w-]+)/.exec(task.getAttribute('link') ?? '')?.[1] ?? null);
     const keys = texts.map((text) => (text === null ? OWN : keyOf(text)));
     const links = tasks.map((task) => `${task.getAttribute('link') ?? '#v=1'}&away=0`);
-    /** @type {Attempt} */
-    let attempt = { at: 0, parts: [] };
-    /** The keys of steps that the student changed in this visit. */
-    const changed = new Set();
-    /** The student by the learning system; empty if it is not open. */
-    let student = '';
-    /** Whether the learning system takes answers, and whether it had the exercises as passed. */
-    let [isGraded, wasPassed] = [false, false];
+    const storage = createStorage(() => localStorage, 'l-system-');
+    const tab = createStorage(() => sessionStorage, 'l-system-');
+    const answers = createAnswers({ id, keys, scorm, storage, tab }, follow);
+    /** What the steps show of former visits and other windows, by step. @type {string[]} */
+    const shown = [];
     let isSent = true;
-    let isKept = true;
-    /** Answers in this browser that are not shown: of a time without the learning system, or of one that it forgot. @type {Part[]} */
-    let earlier = [];
-    /** @type {string[]} */
-    let dropped = [];
     let wait = FIRST_WAIT;
     let timer = 0;
 
@@ -57,8 +48,8 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         'aria-label': say`The links of my answers`,
         hidden: true,
     });
-    const copy = make('button', { type: 'button', hidden: true }, say`Copy my answers`);
-    const again = make('button', { type: 'button', hidden: true }, say`Use my earlier answers`);
+    const copy = make('button', { hidden: true }, say`Copy my answers`);
+    const again = make('button', { hidden: true }, say`Use my earlier answers`);
     const notice = make('section', { id: 'learning', hidden: true }, words, make('p', {}, copy, again), field);
     above.before(notice);
 
@@ -67,65 +58,39 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         setText(words, text);
         notice.hidden = text === '';
         notice.classList.toggle('trouble', isTrouble);
-        copy.hidden = !isTrouble || attempt.parts.length === 0;
-        again.hidden = !offers;
+        copy.hidden = !isTrouble || answers.parts.length === 0;
+        again.hidden = !offers || answers.earlier.length === 0;
     }
 
     /** Where answers are that the learning system does not have. */
     const here = () =>
-        isKept ? say`Your answers are kept in this browser.` : say`Your answers are on this page only: leave it open.`;
+        answers.isKept
+            ? say`Your answers are kept in this browser.`
+            : say`Your answers are on this page only: leave it open.`;
 
-    /** @param {string} of the student */
-    const place = (of) => `l-system-package ${id} ${of}`;
-
-    /** What this browser has. @param {string} of the student */
-    function kept(of) {
-        try {
-            const { text = '', rest = '', isSent = false } = JSON.parse(localStorage.getItem(place(of)) ?? '{}');
-            const [attempt, others] = [text, rest].map((one) => readAttempt(String(one)) ?? { at: 0, parts: [] });
-            return { attempt: attempt ?? { at: 0, parts: [] }, others: others?.parts ?? [], isSent: isSent === true };
-        } catch {
-            return { attempt: { at: 0, parts: [] }, others: [], isSent: true };
-        }
-    }
-
-    function keep() {
-        try {
-            const [text, rest] = [attempt, { at: 0, parts: earlier }].map((one) => writeAttempt(one, Infinity).text);
-            localStorage.setItem(place(student), JSON.stringify({ text, rest, isSent }));
-            isKept = true;
-        } catch {
-            isKept = false;
-        }
-    }
-
-    /** Shows answers that the student has not changed since. @param {Attempt} known */
-    function restore(known) {
-        const mine = { at: attempt.at, parts: attempt.parts.filter(({ key }) => changed.has(key)) };
-        const before = attempt;
-        attempt = merged(changed.size > 0 ? mine : { ...known, parts: mine.parts }, known);
+    /** Shows answers that the student has not changed since, and what is done. */
+    function show() {
+        const parts = new Map(answers.parts.map((part) => [part.id, part]));
         for (const [index, key] of keys.entries()) {
-            const fields = attempt.parts.find((part) => part.key === key)?.fields ?? '';
-            if (changed.has(key) || fields === (before.parts.find((part) => part.key === key)?.fields ?? '')) continue;
+            const fields = parts.get(key)?.fields ?? '';
+            if (answers.touched.has(key) || fields === (shown[index] ?? '')) continue;
+            shown[index] = fields;
             if (key === OWN) /** @type {any} */ (tasks[index]).open(`#v=1&${fields}`);
             else tasks[index]?.setAttribute('link', `${links[index]}&${fields}`);
         }
-        show();
-    }
-
-    const isDone = (/** @type {string} */ key) =>
-        attempt.parts.some((part) => part.key === key && (part.mark === 'solved' || key === OWN));
-    const show = () =>
+        const isDone = (/** @type {string} */ key) =>
+            parts.has(key) && (key === OWN || parts.get(key)?.mark === 'solved');
         restored(
-            attempt.at,
+            answers.at,
             keys.flatMap((key, at) => (isDone(key) ? [at] : [])),
         );
+    }
 
     function connect() {
         const why = scorm.open();
         if (why === null) return opened();
         const told = why === '' ? ABSENT : say`The learning system does not start this page (${why}).`;
-        const where = isKept ? say`Your answers are kept in this browser only.` : here();
+        const where = answers.isKept ? say`Your answers are kept in this browser only.` : here();
         tell(`${told} ${where} ${say`Trying again.`}`, { isTrouble: true });
         later(connect);
     }
@@ -137,59 +102,26 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         wait = Math.min(LONGEST_WAIT, 2 * wait);
     }
 
-    /** What the learning system knows, and what only this browser knows. */
     function opened() {
-        const known = scorm.read();
-        ({ isGraded, isPassed: wasPassed, student } = known);
         wait = FIRST_WAIT;
-        const there = readAttempt(known.state) ?? { at: 0, parts: [] };
-        const own = kept(student);
-        if (!own.isSent && student !== '') restore(merged(own.attempt, there));
-        else {
-            // Of what it has, this browser may have the whole.
-            const cut = there.parts.filter(({ fields }) => fields === '').map(({ key }) => key);
-            restore(merged(there, { at: 0, parts: own.attempt.parts.filter(({ key }) => cut.includes(key)) }));
-        }
-        if (!isGraded) return tell(PREVIEW);
-        const all = [...own.attempt.parts, ...own.others, ...kept('').attempt.parts];
-        earlier = all.filter(
-            (part, at) =>
-                part.fields !== '' &&
-                all.findIndex(({ key }) => key === part.key) === at &&
-                !attempt.parts.some(({ key }) => key === part.key),
-        );
-        tell(earlier.length > 0 ? EARLIER : '', { offers: earlier.length > 0 });
+        answers.signIn();
+        show();
+        if (!answers.isGraded) return tell(PREVIEW);
+        tell(answers.earlier.length > 0 ? EARLIER : '', { offers: true });
         send();
     }
 
     function send() {
         clearTimeout(timer);
-        const parts = attempt.parts.filter(({ key }) => key !== OWN);
-        const [solved, all] = [parts.filter(({ mark }) => mark === 'solved'), keys.filter((key) => key !== OWN)];
-        let isStored = false;
-        for (let halving = 0; !isStored && halving <= HALVINGS; halving++) {
-            const written = writeAttempt(attempt, scorm.longest >> halving);
-            if (halving > 0 && written.text.length > scorm.longest >> halving) break;
-            dropped = written.dropped;
-            isStored = scorm.keeps(written.text);
-        }
-        const failed = scorm.tell({
-            part: parts.length === 0 ? null : solved.length / all.length,
-            isPassed: wasPassed || solved.length === all.length,
-            answers: parts.map((part) => ({
-                id: `e-${part.key}`,
-                link: linkOf(part),
-                isRight: part.mark === 'solved',
-            })),
-        });
-        isSent = isStored && failed === null;
-        keep();
+        const { failed, dropped, ...sent } = answers.send();
+        ({ isSent } = sent);
+        show();
+        const hasParts = answers.parts.length > 0;
         if (!isSent) {
             const why = failed ?? say`it does not keep the answers`;
-            const told =
-                attempt.parts.length === 0
-                    ? say`The learning system does not save (${why}).`
-                    : `${say`The learning system has not saved your last answers (${why}).`} ${here()}`;
+            const told = hasParts
+                ? `${say`The learning system has not saved your last answers (${why}).`} ${here()}`
+                : say`The learning system does not save (${why}).`;
             tell(`${told} ${say`Trying again.`}`, { isTrouble: true });
             return later(send);
         }
@@ -200,63 +132,53 @@ export function createPackage({ id, standard, tasks, above, restored }) {
                 `${SAVED} ${say`It has no room for the text of step ${steps.join(', ')}: its mark is saved, and the text is kept in this browser only.`}`,
                 { isTrouble: true },
             );
-        else if (attempt.parts.length > 0) tell(SAVED);
+        else if (hasParts) tell(SAVED);
     }
 
+    /** Something has changed, here or in another window. */
     function follow() {
         isSent = false;
-        keep();
         show();
-        if (!isGraded) return;
+        if (!answers.isGraded) return;
         clearTimeout(timer);
         timer = window.setTimeout(send, PAUSE);
     }
 
-    /** @param {string} key @param {Part['mark']} mark @param {string} fields */
-    function answered(key, mark, fields) {
-        const former = attempt.parts.find((part) => part.key === key);
-        if (former?.fields === fields && former.mark === mark) return;
-        // Whoever goes on to try keeps the solution.
-        if (former?.mark === 'solved' && mark !== 'solved') return;
-        changed.add(key);
-        const part = { key, mark, fields };
-        attempt.parts = former ? attempt.parts.map((one) => (one === former ? part : one)) : [...attempt.parts, part];
-        follow();
-    }
+    /** @param {string} key @param {Part['mark']} mark @param {string} link */
+    const answered = (key, mark, link) => answers.answer(key, mark, fieldsIn(link)) && follow();
 
     for (const [at, task] of tasks.entries()) {
         const key = keys[at] ?? OWN;
         task.setAttribute('link', links[at] ?? '');
         task.addEventListener('change', (event) => {
             const { by, link } = /** @type {CustomEvent} */ (event).detail;
-            if (key === OWN && by === 'visitor') answered(key, 0, fieldsIn(link));
+            if (key === OWN && by === 'visitor') answered(key, 0, link);
         });
         task.addEventListener('mark', (event) => {
             const { solved, agreement, link, touched } = /** @type {CustomEvent} */ (event).detail;
             // The page shows a solved step as done, so that is kept in any case.
-            if (touched || solved) answered(key, solved ? 'solved' : Math.floor(100 * agreement), fieldsIn(link));
+            if (touched || solved) answered(key, solved ? 'solved' : Math.floor(100 * agreement), link);
         });
     }
     again.addEventListener('click', () => {
-        restore(merged(attempt, { at: attempt.at, parts: earlier }));
-        earlier = [];
+        answers.useEarlier();
         tell('', { offers: false });
         follow();
     });
     copy.addEventListener('click', async () => {
         const full = (/** @type {Part} */ part) =>
-            linkOf(part).replace(`k=${part.key}`, `x=${texts[keys.indexOf(part.key)]}`);
-        field.value = attempt.parts
-            .filter(({ key }) => key !== OWN)
+            linkOf(part).replace(`k=${part.id}`, `x=${texts[keys.indexOf(part.id)]}`);
+        field.value = answers.parts
+            .filter((part) => part.id !== OWN)
             .map(full)
             .join('\n');
         field.hidden = false;
         const isCopied = await copyField(field);
         copy.textContent = isCopied ? say`Copied: send it to your teacher` : say`Press ${copyKeys()} to copy`;
     });
-    addEventListener('visibilitychange', () => document.hidden && isGraded && !isSent && send());
+    addEventListener('visibilitychange', () => document.hidden && answers.isGraded && !isSent && send());
     addEventListener('pagehide', () => {
-        if (isGraded) send();
+        if (answers.isGraded) send();
         clearTimeout(timer);
         scorm.close();
     });
@@ -265,16 +187,15 @@ export function createPackage({ id, standard, tasks, above, restored }) {
 
     if (scorm.open() === null) opened();
     else {
-        restore(kept('').attempt);
+        answers.begin();
+        show();
         connect();
     }
 
     return {
         /** Another step is shown. @param {number} at */
         moved(at) {
-            if (at === attempt.at) return;
-            attempt.at = at;
-            if (attempt.parts.length > 0) follow();
+            if (answers.move(at)) follow();
         },
     };
 }

@@ -3,10 +3,13 @@
  * system may throw, refuse, or answer with anything, so every answer is checked, and what went wrong is a sentence.
  */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** Windows are searched up to this depth; a page may hold itself. */
 const DEEPEST = 50;
+
+/** The most that is taken of the names and reasons of a learning system, in characters. */
+const LONGEST_WORDS = 200;
 
 /** Both standards keep the state of a visit here. */
 const STATE = 'cmi.suspend_data';
@@ -96,6 +99,32 @@ function found(name, from) {
     return null;
 }
 
+const agrees = (/** @type {string | null} */ answered) => answered?.toLowerCase() === 'true';
+
+/** Calls of a learning system, none of which throws. @param {Names['calls']} calls @param {() => any} api */
+function createCalls([, , get, set, , error, words], api) {
+    /** The answer of a call as a text; null if it throws. @param {string} what @param {string[]} given */
+    function call(what, ...given) {
+        try {
+            return String(api()[what](...given) ?? '');
+        } catch {
+            return null;
+        }
+    }
+    return {
+        call,
+        /** Why the last call failed. */
+        reason() {
+            const code = call(error) ?? '';
+            const isKnown = code !== '' && code !== '0';
+            const told = isKnown ? call(words, code)?.slice(0, LONGEST_WORDS) : '';
+            return told || (isKnown ? say`error ${code.slice(0, LONGEST_WORDS)}` : say`it gives no reason`);
+        },
+        read: (/** @type {string} */ element) => call(get, element) ?? '',
+        write: (/** @type {string} */ element, /** @type {string} */ value) => agrees(call(set, element, value)),
+    };
+}
+
 /**
  * @param {Standard} standard
  * @param {{from?: any, now?: () => number}} [surroundings] the window of the page, and milliseconds
@@ -103,29 +132,14 @@ function found(name, from) {
 export function createScorm(standard, { from = window, now = () => performance.now() } = {}) {
     const is2004 = standard === '2004';
     const { api: name, calls, core, longest, answer, ...names } = is2004 ? SCORM2004 : SCORM12;
-    const [start, end, get, set, commit, error, words] = calls;
+    const [start, end, , , commit, error] = calls;
     const begun = now();
     /** @type {any} */
     let api = null;
     let isOpen = false;
-
-    /** The answer of a call as a text; null if it throws. @param {string} what @param {string[]} given */
-    function call(what, ...given) {
-        try {
-            return String(api[what](...given) ?? '');
-        } catch {
-            return null;
-        }
-    }
-    const agrees = (/** @type {string | null} */ answered) => answered?.toLowerCase() === 'true';
-    /** Why the last call failed. */
-    function reason() {
-        const code = call(error) ?? '';
-        const told = code === '' || code === '0' ? '' : call(words, code);
-        return told || (code === '' || code === '0' ? say`it gives no reason` : say`error ${code}`);
-    }
-    const read = (/** @type {string} */ element) => call(get, element) ?? '';
-    const write = (/** @type {string} */ element, /** @type {string} */ value) => agrees(call(set, element, value));
+    const { call, reason, read, write } = createCalls(calls, () => api);
+    /** The state. More than the standard allows is not looked at. */
+    const state = () => read(STATE).slice(0, longest);
 
     return {
         /** The most characters of a state. */
@@ -141,10 +155,12 @@ export function createScorm(standard, { from = window, now = () => performance.n
             return isOpen ? null : reason();
         },
 
+        state,
+
         /** What is known from earlier visits. */
         read: () => ({
-            state: read(STATE),
-            student: read(core + names.student),
+            state: state(),
+            student: read(core + names.student).slice(0, LONGEST_WORDS),
             isGraded: !['browse', 'review'].includes(read(core + names.mode)),
             isPassed: read(core + names.status) === names.success,
         }),

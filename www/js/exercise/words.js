@@ -1,6 +1,6 @@
 /** The words of a task: paragraphs with Markdown's emphasis, code and links. All else is text, never HTML. */
 
-import { make } from '../dom.js';
+import { make } from '../base/dom.js';
 
 /** Code, strong, emphasis, link. */
 const MARKS = /`([^`\n]+)`|\*\*([^*\n]+)\*\*|[*_]([^*_\n]+)[*_]|\[([^\]\n]+)\]\((https?:\/\/[^\s)]+)\)/g;

@@ -1,14 +1,14 @@
 /** Cards of the favourites dialog: favourites with their buttons, and earlier visits. */
 
-import { make } from '../dom.js';
-import { language, said, say } from '../words.js';
+import { make } from '../base/dom.js';
+import { language, said, say } from '../base/words.js';
 
-/** @typedef {import('../favourites.js').Favourite} Favourite */
-/** @typedef {import('../state.js').State} State */
+/** @typedef {import('./favourites.js').Favourite} Favourite */
+/** @typedef {import('../state/state.js').State} State */
 
 /** @param {string} words @param {string} label @param {() => void} act */
 function actButton(words, label, act) {
-    const element = make('button', { type: 'button', class: 'card-act', 'aria-label': label }, words);
+    const element = make('button', { class: 'card-act', 'aria-label': label }, words);
     element.addEventListener('click', act);
     return element;
 }
@@ -21,7 +21,7 @@ function actButton(words, label, act) {
 export function favouriteCard(one, picture, { open, rename, remove }) {
     const opener = make(
         'button',
-        { type: 'button', class: 'card', 'data-id': one.id },
+        { class: 'card', 'data-id': one.id },
         ...(picture ? [picture] : []),
         make('span', { class: 'card-title' }, one.name),
     );
@@ -43,7 +43,7 @@ export function visitCard(time, state, picture, open) {
     });
     const opener = make(
         'button',
-        { type: 'button', class: 'card' },
+        { class: 'card' },
         picture,
         make('span', { class: 'card-title' }, said(state.title || state.name) || say`Untitled system`),
         make('span', { class: 'card-kind' }, when),

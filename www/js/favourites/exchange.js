@@ -1,9 +1,9 @@
 /** Exports favourites to a file and imports files of favourites. */
 
-import { button, input } from '../dom.js';
-import { download } from '../download.js';
-import { LARGEST_FILE } from '../favourites.js';
-import { counted, say } from '../words.js';
+import { button, input } from '../base/dom.js';
+import { download } from '../base/download.js';
+import { LARGEST_FILE } from './favourites.js';
+import { counted, reasonOf, say } from '../base/words.js';
 import { readFile, writeFile } from './file.js';
 import { FULL } from './stored.js';
 
@@ -30,7 +30,7 @@ export function createExchange(stored, { tell, changed }) {
                     : await take(await file.text()),
             );
         } catch (error) {
-            tell(say`${file.name} could not be read: ${String(error instanceof Error ? error.message : error)}`);
+            tell(say`${file.name} could not be read: ${reasonOf(error)}`);
         }
     });
 
@@ -38,7 +38,7 @@ export function createExchange(stored, { tell, changed }) {
     async function take(text) {
         const read = await readFile(stored.list(), text);
         if (!read) return say`This file contains no favourites.`;
-        const isStored = read.added === 0 || stored.put(read.list);
+        const isStored = read.added === 0 || stored.put(read.list.slice(-read.added));
         changed();
         return isStored ? resultText(read) : FULL;
     }

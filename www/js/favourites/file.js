@@ -1,10 +1,10 @@
 /** Files of favourites. Pure functions. */
 
-import { FORMAT, MOST_FAVOURITES, favourite } from '../favourites.js';
-import { openLink } from '../packed.js';
-import { say } from '../words.js';
+import { FORMAT, MOST_FAVOURITES, favourite } from './favourites.js';
+import { openLink } from '../state/packed.js';
+import { say } from '../base/words.js';
 
-/** @typedef {import('../favourites.js').Favourite} Favourite */
+/** @typedef {import('./favourites.js').Favourite} Favourite */
 
 /** Files with more entries are not read. */
 export const MOST_ENTRIES = 10_000;
@@ -72,7 +72,7 @@ export async function readFile(list, text) {
         }
         there.add(same(read));
         // In the order of the file, after the existing favourites.
-        result.list.push(read);
+        result.list.push({ ...read, made: Math.min(0, result.list.at(-1)?.made ?? 0) - 1 });
         result.added += 1;
     }
     return result;

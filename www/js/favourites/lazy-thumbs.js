@@ -1,27 +1,22 @@
 /** Thumbnails on the cards of favourites and visits, painted when they become visible. */
 
-import { definitionOf } from '../state.js';
-import { emptyThumb, paintThumb } from '../thumb.js';
+import { definitionOf } from '../state/state.js';
+import { watchSight } from '../base/dom.js';
+import { emptyThumb, paintThumb } from '../dialogs/thumb.js';
 
-/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../state/state.js').State} State */
 
 /** The side of a thumbnail, in CSS pixels. */
 const SIDE = 168;
 
 /**
- * @param {import('../engine.js').Engine} engine
+ * @param {import('../engine/engine.js').Engine} engine
  * @param {Element} root the scrolling element
  */
 export function createLazyThumbs(engine, root) {
     /** The thumbnails that are not painted yet. @type {Map<Element, State>} */
     const unpainted = new Map();
-    const seen = new IntersectionObserver(
-        (entries) => {
-            for (const { isIntersecting, target } of entries)
-                if (isIntersecting && target instanceof HTMLCanvasElement) paint(target);
-        },
-        { root, rootMargin: '120px' },
-    );
+    const seen = watchSight(root, (target) => paint(/** @type {HTMLCanvasElement} */ (target)));
 
     /** @param {HTMLCanvasElement} picture */
     async function paint(picture) {

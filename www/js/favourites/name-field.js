@@ -1,8 +1,8 @@
 /** The field that renames a favourite, in place of its buttons. */
 
-import { make } from '../dom.js';
-import { LONGEST_NAME } from '../favourites.js';
-import { say } from '../words.js';
+import { make } from '../base/dom.js';
+import { LONGEST_NAME } from './favourites.js';
+import { say } from '../base/words.js';
 
 /**
  * @param {Element} place the element whose children are replaced

@@ -1,7 +1,7 @@
 /** The list of numbers that have no track yet: choosing one adds a track. */
 
-import { make } from '../dom.js';
-import { said, say } from '../words.js';
+import { make } from '../base/dom.js';
+import { said, say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
 /** @typedef {import('../protocol.js').FilmSubject} FilmSubject */
@@ -10,7 +10,7 @@ import { said, say } from '../words.js';
 const USUAL = { view: [0, 0, 1], camera: [25, 12, 1], drawn: [1] };
 
 /**
- * @param {import('../store.js').Store} store
+ * @param {import('../state/store.js').Store} store
  * @param {{readonly space: boolean}} stage whether the drawing is in space
  * @param {{add: (subject: string, value: number[]) => void}} on
  */

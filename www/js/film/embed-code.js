@@ -10,7 +10,7 @@ const attribute = (value) =>
         .replaceAll('\n', '&#10;');
 
 /**
- * @param {Readonly<import('../state.js').State>} state
+ * @param {Readonly<import('../state/state.js').State>} state
  * @param {string} link of the state, with its `#`
  * @param {string} film the film's text
  * @param {string} page the address of film.html

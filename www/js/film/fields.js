@@ -1,6 +1,6 @@
 /** Labelled fields of the film's dialog. */
 
-import { make } from '../dom.js';
+import { make } from '../base/dom.js';
 
 /** A list of choices. @param {string} id @param {readonly (readonly [string, string])[]} choices @param {string} label */
 export function choice(id, choices, label) {

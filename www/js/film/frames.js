@@ -1,6 +1,6 @@
 /** Frames of a film from several workers, in order. */
 
-import { createTool } from '../tool.js';
+import { createTool } from '../engine/tool.js';
 
 /** @typedef {import('../protocol.js').Film} Film */
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */

@@ -1,7 +1,7 @@
 /** The choices for a whole film: its length, its rate, its size, its loop and its pace. */
 
-import { make, setChoice, setValue } from '../dom.js';
-import { say } from '../words.js';
+import { make, setChoice, setValue } from '../base/dom.js';
+import { say } from '../base/words.js';
 import { choice, numberOption } from './fields.js';
 import { EASINGS, ENDINGS, SIZES, stretched } from './script.js';
 
@@ -59,15 +59,7 @@ export function createOptions({ change }) {
         });
     }
     ending.select.addEventListener('change', () => change({ ending: ending.select.value }));
-    pace.select.addEventListener('change', () => {
-        const easing = pace.select.value;
-        const before = script?.easing;
-        const paced = (/** @type {FilmTrack} */ track) => ({
-            ...track,
-            keys: track.keys.map((key) => (key.easing === before ? { ...key, easing } : key)),
-        });
-        change({ easing, tracks: script?.tracks.map(paced) ?? [] });
-    });
+    pace.select.addEventListener('change', () => change(paced(script, pace.select.value)));
 
     return {
         element: make(
@@ -98,4 +90,12 @@ export function createOptions({ change }) {
             follow.checked = !next.fixed;
         },
     };
+}
+
+/** A film with another pace, which keys with the former pace take too. @param {FilmScript | null} script @param {string} easing */
+function paced(script, easing) {
+    const tracks = script?.tracks ?? [];
+    const keysOf = (/** @type {FilmTrack} */ { keys }) =>
+        keys.map((key) => (key.easing === script?.easing ? { ...key, easing } : key));
+    return { easing, tracks: tracks.map((track) => ({ ...track, keys: keysOf(track) })) };
 }

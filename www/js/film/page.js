@@ -1,9 +1,9 @@
 /** The page of a film alone, for other sites: it plays the film of its address. */
 
-import { button, byId, html, icon, input, reducedMotion, setText } from '../dom.js';
-import { bestLink, openLink } from '../packed.js';
-import { definitionOf } from '../state.js';
-import { say, translatePage } from '../words.js';
+import { button, byId, html, icon, input, reducedMotion, setText } from '../base/dom.js';
+import { bestLink, openLink } from '../state/packed.js';
+import { definitionOf } from '../state/state.js';
+import { reasonOf, say, translatePage } from '../base/words.js';
 import { filmIn, guarded } from './embed-code.js';
 import { createFilmTool } from './frames.js';
 import { createPlayer } from './player.js';
@@ -31,7 +31,7 @@ const player = createPlayer(tool, canvas, {
         showPlay();
     },
     failed: (error) => {
-        setText(problem, error instanceof Error ? error.message : String(error));
+        setText(problem, reasonOf(error));
         showPlay();
     },
 });
@@ -65,7 +65,7 @@ async function open() {
         if (!reducedMotion()) player.play();
         showPlay();
     } catch (error) {
-        setText(problem, error instanceof Error ? error.message : String(error));
+        setText(problem, reasonOf(error));
     }
 }
 

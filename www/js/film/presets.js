@@ -1,11 +1,11 @@
 /** The buttons of the usual films. The core makes their tracks: crates/lsystem-film/src/preset.rs. */
 
-import { make } from '../dom.js';
-import { STANDS, strengthOf } from '../wind.js';
-import { say } from '../words.js';
+import { make } from '../base/dom.js';
+import { STANDS, strengthOf } from '../motion/wind.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').FilmPreset} FilmPreset */
-/** @typedef {import('../state.js').View} View */
+/** @typedef {import('../state/state.js').View} View */
 
 /** Why a drawing has no turntable. */
 const FLAT = say`A turntable needs a drawing in space.`;
@@ -19,14 +19,14 @@ const KINDS = [
 ];
 
 /**
- * @param {import('../store.js').Store} store
- * @param {{readonly space: boolean, readonly branches: boolean, camera: () => import('../camera.js').Camera}} stage whether the drawing is in space and has branches, and its camera
+ * @param {import('../state/store.js').Store} store
+ * @param {{readonly space: boolean, readonly branches: boolean, camera: () => import('../view/camera.js').Camera}} stage whether the drawing is in space and has branches, and its camera
  * @param {{dive: (view: View | null) => void, use: (preset: FilmPreset) => void}} on `dive` shows a dive to a view about a segment, or to the segment in the middle
  */
 export function createPresets(store, stage, { dive, use }) {
     const buttons = KINDS.map(([kind, words]) => ({
         kind,
-        button: make('button', { class: 'button', type: 'button', 'data-preset': kind }, words),
+        button: make('button', { class: 'button', 'data-preset': kind }, words),
     }));
 
     const flat = make('p', { class: 'note' }, FLAT);

@@ -1,10 +1,10 @@
 /** The buttons that save a film as a file, and the progress of the file in the making. */
 
-import { toast } from '../announce.js';
-import { decimal } from '../numerals.js';
-import { icon, make, setText } from '../dom.js';
-import { download, fileName } from '../download.js';
-import { say } from '../words.js';
+import { toast } from '../base/announce.js';
+import { decimal } from '../base/numerals.js';
+import { icon, make, setText } from '../base/dom.js';
+import { download, fileName } from '../base/download.js';
+import { reasonOf, say } from '../base/words.js';
 import { fileOf, videosOf } from './save.js';
 
 /** @typedef {import('../protocol.js').Film} Film */
@@ -13,28 +13,51 @@ import { fileOf, videosOf } from './save.js';
 const KINDS = /** @type {import('./save.js').FilmFile[]} */ (['mp4', 'webm', 'gif']);
 
 /**
- * @param {import('../store.js').Store} store
+ * The buttons and the file in the making.
+ * @typedef {object} Saving
+ * @property {import('../state/store.js').Store} store
+ * @property {() => {film: Film, script: FilmScript | null}} present
+ * @property {() => void} begin
+ * @property {{kind: import('./save.js').FilmFile, button: HTMLButtonElement}[]} kinds
+ * @property {HTMLElementTagNameMap['progress']} bar
+ * @property {HTMLElementTagNameMap['span']} told
+ * @property {HTMLElementTagNameMap['div']} progress
+ * @property {AbortController | null} saving The file in the making
+ */
+
+/**
+ * @param {import('../state/store.js').Store} store
  * @param {{film: () => {film: Film, script: FilmScript | null}, start: () => void}} on `start` is called before a file is made
  */
 export function createSaving(store, { film: present, start: begin }) {
-    const kinds = KINDS.map((kind) => ({
-        kind,
-        button: make(
-            'button',
-            {
-                class: 'button',
-                type: 'button',
-                'data-film': kind,
-                hidden: kind !== 'gif',
-            },
-            icon('i-save'),
-            kind === 'webm' ? 'WebM' : kind.toUpperCase(),
-        ),
-    }));
     const bar = make('progress', { id: 'film-progress', max: '1', value: '0', 'aria-label': say`Progress` });
-    const cancel = make('button', { id: 'film-cancel', class: 'button quiet', type: 'button' }, say`Cancel`);
+    const cancel = make('button', { id: 'film-cancel', class: 'button quiet' }, say`Cancel`);
     const told = make('span', { class: 'note', role: 'status' });
     const progress = make('div', { class: 'film-progress idle' }, bar, told, cancel);
+    /** @type {Saving} */
+    const self = {
+        store,
+        present,
+        begin,
+        kinds: KINDS.map((kind) => ({
+            kind,
+            button: make(
+                'button',
+                {
+                    class: 'button',
+                    'data-film': kind,
+                    hidden: kind !== 'gif',
+                },
+                icon('i-save'),
+                kind === 'webm' ? 'WebM' : kind.toUpperCase(),
+            ),
+        })),
+        bar,
+        told,
+        progress,
+        saving: null,
+    };
+
     const [before = '', after = ''] =
         say`WebM and MP4 files are written by ${'\n'} (Mozilla Public License 2.0).`.split('\n');
     const credit = make(
@@ -44,68 +67,66 @@ export function createSaving(store, { film: present, start: begin }) {
         make('a', { href: 'https://mediabunny.dev', target: '_blank', rel: 'noopener' }, 'Mediabunny'),
         after,
     );
-    /** The file in the making. @type {AbortController | null} */
-    let saving = null;
 
-    for (const { kind, button } of kinds) button.addEventListener('click', () => save(kind));
-    cancel.addEventListener('click', () => saving?.abort());
-
-    /** @param {import('./save.js').FilmFile} kind */
-    async function save(kind) {
-        const { film, script } = present();
-        if (!script || saving) return;
-        const { frames } = script;
-        const mine = new AbortController();
-        saving = mine;
-        begin();
-        const start = performance.now();
-        const show = (/** @type {number} */ done) => {
-            bar.value = done / frames;
-            const left = done > 0 ? ((performance.now() - start) / done) * (frames - done) : NaN;
-            setText(
-                told,
-                Number.isFinite(left)
-                    ? say`Frame ${String(done)} of ${String(frames)}, ${String(Math.ceil(left / 1000))} s left`
-                    : say`Frame ${String(done)} of ${String(frames)}`,
-            );
-        };
-        show(0);
-        progress.classList.remove('idle');
-        for (const { button } of kinds) button.disabled = true;
-        try {
-            const blob = await fileOf(kind, film, script, { signal: mine.signal, progress: show });
-            download(blob, `${fileName(store.state)}.${kind}`);
-            toast(
-                say`Saved: ${decimal(blob.size / 1e6, 1)} MB, made in ${decimal((performance.now() - start) / 1000, 1)} s`,
-            );
-        } catch (error) {
-            if (!mine.signal.aborted) toast(say`Not saved: ${String(error instanceof Error ? error.message : error)}.`);
-        } finally {
-            saving = null;
-            progress.classList.add('idle');
-            for (const { button } of kinds) button.disabled = false;
-        }
-    }
+    for (const { kind, button } of self.kinds) button.addEventListener('click', () => save(self, kind));
+    cancel.addEventListener('click', () => self.saving?.abort());
 
     return {
-        buttons: kinds.map(({ button }) => button),
+        buttons: self.kinds.map(({ button }) => button),
         progress,
         credit,
         get busy() {
-            return saving !== null;
+            return self.saving !== null;
         },
         abort() {
-            saving?.abort();
+            self.saving?.abort();
         },
         /** Shows the kinds of video that the browser can write. @param {FilmScript} script */
         async show(script) {
             const found = await videosOf(script).catch(() => []);
-            for (const { kind, button } of kinds)
+            for (const { kind, button } of self.kinds)
                 button.hidden = kind !== 'gif' && !found.some((each) => each === kind);
             // The best kind that the browser can write.
-            const first = kinds.find(({ button }) => !button.hidden);
-            for (const { button } of kinds) button.classList.toggle('primary', button === first?.button);
+            const first = self.kinds.find(({ button }) => !button.hidden);
+            for (const { button } of self.kinds) button.classList.toggle('primary', button === first?.button);
             credit.hidden = found.length === 0;
         },
     };
+}
+
+/** @param {Saving} self @param {import('./save.js').FilmFile} kind */
+async function save(self, kind) {
+    const { film, script } = self.present();
+    if (!script || self.saving) return;
+    const { frames } = script;
+    const mine = new AbortController();
+    self.saving = mine;
+    self.begin();
+    const start = performance.now();
+    const show = (/** @type {number} */ done) => {
+        self.bar.value = done / frames;
+        const left = done > 0 ? ((performance.now() - start) / done) * (frames - done) : NaN;
+        setText(
+            self.told,
+            Number.isFinite(left)
+                ? say`Frame ${String(done)} of ${String(frames)}, ${String(Math.ceil(left / 1000))} s left`
+                : say`Frame ${String(done)} of ${String(frames)}`,
+        );
+    };
+    show(0);
+    self.progress.classList.remove('idle');
+    for (const { button } of self.kinds) button.disabled = true;
+    try {
+        const blob = await fileOf(kind, film, script, { signal: mine.signal, progress: show });
+        download(blob, `${fileName(self.store.state)}.${kind}`);
+        toast(
+            say`Saved: ${decimal(blob.size / 1e6, 1)} MB, made in ${decimal((performance.now() - start) / 1000, 1)} s`,
+        );
+    } catch (error) {
+        if (!mine.signal.aborted) toast(say`Not saved: ${reasonOf(error)}.`);
+    } finally {
+        self.saving = null;
+        self.progress.classList.add('idle');
+        for (const { button } of self.kinds) button.disabled = false;
+    }
 }

@@ -1,6 +1,6 @@
 /** Scripts of films as text, and values between keys. Pure functions. docs/films.md describes the text. */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
 /** @typedef {import('../protocol.js').FilmTrack} FilmTrack */

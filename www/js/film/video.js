@@ -3,7 +3,7 @@
  * the files: Mediabunny (https://mediabunny.dev), under the Mozilla Public License 2.0.
  */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 import {
     BufferTarget,
     Mp4OutputFormat,

@@ -1,13 +1,13 @@
 /** The four pictures of the assignment, to try the search with one click. */
 
-import { make } from '../dom.js';
-import { jsonOf } from '../files.js';
-import { clean, definitionOf } from '../state.js';
-import { emptyThumb, paintThumb } from '../thumb.js';
-import { say } from '../words.js';
+import { make } from '../base/dom.js';
+import { jsonOf } from '../base/files.js';
+import { clean, definitionOf } from '../state/state.js';
+import { emptyThumb, paintThumb } from '../dialogs/thumb.js';
+import { say } from '../base/words.js';
 import { pixelsOf } from './picture.js';
 
-/** @typedef {import('../state.js').Definition} Definition */
+/** @typedef {import('../state/state.js').Definition} Definition */
 /** @typedef {import('./ink.js').Grey} Grey */
 
 /** The systems by their paths in the gallery, with their names here. */
@@ -36,7 +36,7 @@ export const blackOnWhite = (definition) => ({
 
 /**
  * The picture of a system to search; throws a sentence if it cannot be drawn.
- * @param {import('../engine.js').Engine} engine @param {Definition} definition @returns {Promise<Grey>}
+ * @param {import('../engine/engine.js').Engine} engine @param {Definition} definition @returns {Promise<Grey>}
  */
 export async function pictureOf(engine, definition) {
     const { bitmap, missing } = await engine.thumb(blackOnWhite(definition), SEARCHED, SEARCHED);
@@ -49,11 +49,11 @@ export async function pictureOf(engine, definition) {
 /**
  * Fills a row with the examples.
  * @param {HTMLElement} row
- * @param {import('../engine.js').Engine} engine
+ * @param {import('../engine/engine.js').Engine} engine
  * @param {{restyle: (definition: Definition) => Definition, choose: (definition: Definition) => void}} page
  */
 export async function fillExamples(row, engine, { restyle, choose }) {
-    /** @type {import('../shelves.js').Entry[]} */
+    /** @type {import('../dialogs/shelves.js').Entry[]} */
     const entries = await jsonOf('gallery.json');
     for (const [name, label] of Object.entries(EXAMPLES)) {
         const entry = entries.find(({ path }) => path.replace(/\.json$/, '') === `assignment-8/${name}`);
@@ -62,7 +62,7 @@ export async function fillExamples(row, engine, { restyle, choose }) {
         const picture = emptyThumb();
         const card = make(
             'button',
-            { type: 'button', class: 'card', 'data-example': name },
+            { class: 'card', 'data-example': name },
             picture,
             make('span', { class: 'card-title' }, label),
         );

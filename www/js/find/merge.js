@@ -1,7 +1,7 @@
 /** The merged results of searches that run in parallel. Pure functions. */
 
-import { decimal } from '../numerals.js';
-import { counted, say } from '../words.js';
+import { decimal } from '../base/numerals.js';
+import { counted, say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindReport} FindReport */

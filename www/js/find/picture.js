@@ -1,6 +1,6 @@
 /** Pictures from files and the clipboard as levels of grey: decoded by the browser, but for SVG. */
 
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 import { promisedSize } from './header.js';
 import { greyOf, isPlain } from './ink.js';
 

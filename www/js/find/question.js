@@ -1,8 +1,8 @@
 /** The fields for what is known of a system. An empty field is to be found out. */
 
-import { valueOf } from '../arithmetic.js';
-import { input, setValue } from '../dom.js';
-import { say } from '../words.js';
+import { valueOf } from '../controls/arithmetic.js';
+import { input, setValue } from '../base/dom.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
 

@@ -1,10 +1,10 @@
 /** The systems that a search found, or the nearest ones, as cards with small pictures. */
 
-import { html, make, setText } from '../dom.js';
-import { theme } from '../theme.js';
-import { emptyThumb, paintThumb } from '../thumb.js';
-import { SIDE as COMPARED, coloured } from '../differences.js';
-import { counted, said, say } from '../words.js';
+import { html, make, setText } from '../base/dom.js';
+import { theme } from '../base/theme.js';
+import { emptyThumb, paintThumb } from '../dialogs/thumb.js';
+import { SIDE as COMPARED, coloured } from '../base/differences.js';
+import { counted, said, say } from '../base/words.js';
 import { isSame, percent, verdict } from './merge.js';
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */
@@ -18,7 +18,7 @@ const MARGIN = 5;
 /**
  * A card of a candidate: its picture, its agreement and its rules, with a button that opens it.
  * @param {Candidate} candidate
- * @param {{engine: import('../engine.js').Engine, restyle: (definition: import('../state.js').Definition) => import('../state.js').Definition, open?: (candidate: Candidate) => void, told?: string, compared?: (definition: import('../state.js').Definition) => Promise<Uint8Array | null>}} page
+ * @param {{engine: import('../engine/engine.js').Engine, restyle: (definition: import('../state/state.js').Definition) => import('../state/state.js').Definition, open?: (candidate: Candidate) => void, told?: string, compared?: (definition: import('../state/state.js').Definition) => Promise<Uint8Array | null>}} page
  *   without `open` there is no button; `told` stands for the agreement; with `compared` the differences from the searched
  *   picture are shown in two colours, if there are any
  */
@@ -56,7 +56,7 @@ export function candidateCard(candidate, { engine, restyle, open, told, compared
         make('span', { class: 'card-kind' }, facts.filter(Boolean).join(' · ')),
     );
     if (open) {
-        const act = make('button', { type: 'button', class: 'button find-open' }, say`Open`);
+        const act = make('button', { class: 'button find-open' }, say`Open`);
         act.addEventListener('click', () => open(candidate));
         card.append(act);
     }

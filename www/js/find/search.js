@@ -3,15 +3,15 @@
  * as long as all before it, so that all workers have searched the same at the end of a round.
  */
 
-import { SILENT, createTool } from '../tool.js';
-import { say } from '../words.js';
+import { SILENT, createTool } from '../engine/tool.js';
+import { say } from '../base/words.js';
 import { isSame, merged } from './merge.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
 /** @typedef {import('../protocol.js').FindSource} FindSource */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
 /** @typedef {import('../protocol.js').NamedSystem} NamedSystem */
-/** @typedef {import('../state.js').Definition} Definition */
+/** @typedef {import('../state/state.js').Definition} Definition */
 
 /** The most workers: more than the cores of a small laptop gain little, and each has a memory of its own. */
 const MOST_WORKERS = 4;
@@ -30,79 +30,20 @@ const LONGER = 4;
 /** The workers of a search: one core is left to the page. @param {{hardwareConcurrency?: number}} machine */
 export const workersOn = ({ hardwareConcurrency = 2 }) => Math.min(MOST_WORKERS, Math.max(1, hardwareConcurrency - 1));
 
+/**
+ * The workers and the work.
+ * @typedef {object} Search
+ * @property {ReturnType<typeof createTool<import('../protocol.js').FindCalls>>[]} tools
+ * @property {number} parts
+ * @property {number} done The work that is done
+ * @property {number} first The work of the first round
+ * @property {number} most Where the search stops
+ * @property {boolean} isThorough Whether the search goes on after a find, to its end
+ */
+
 export function createSearch() {
-    /** @type {ReturnType<typeof createTool<import('../protocol.js').FindCalls>>[]} */
-    const tools = [];
-    let parts = 1;
-    /** The work that is done, the work of the first round, and where the search stops. */
-    let [done, first, most] = [0, 0, 0];
-    /** Whether the search goes on after a find, to its end. */
-    let isThorough = false;
-
-    /** @param {number} count */
-    function have(count) {
-        while (tools.length < count) tools.push(createTool('find'));
-    }
-
-    /**
-     * Works until a system is found, and some rounds more for better ones; or until `most`.
-     * @param {AbortSignal} signal
-     * @param {(report: FindReport) => void} progress
-     * @returns {Promise<FindReport>}
-     */
-    async function goOn(signal, progress) {
-        /** @type {(FindReport | null)[]} */
-        const reports = Array.from({ length: parts }, () => null);
-        const show = () => {
-            const known = reports.filter((report) => report !== null);
-            if (known.length === parts) progress(merged(known));
-        };
-        for (let rounds = Infinity; ; ) {
-            const until = Math.min(most, Math.max(first, done * 2));
-            const answers = await Promise.all(
-                tools.slice(0, parts).map((tool, part) =>
-                    tool.call(
-                        'search',
-                        { until },
-                        {
-                            signal,
-                            progress: (report) => {
-                                reports[part] = report;
-                                show();
-                            },
-                        },
-                    ),
-                ),
-            );
-            answers.forEach((report, part) => (reports[part] = report));
-            const report = merged(answers);
-            done = until;
-            if (!report.isMore || done >= most || (rounds === 0 && !isThorough)) return report;
-            if (report.candidates.some(isSame)) rounds = Math.min(rounds, AFTER.same);
-            else if (report.candidates.some((candidate) => candidate.isFound)) rounds = Math.min(rounds, AFTER.near);
-            rounds--;
-            show();
-        }
-    }
-
-    /**
-     * Runs a part of the search. If a worker fails or the search is stopped, all workers stop.
-     * @template T
-     * @param {AbortSignal} signal
-     * @param {(signal: AbortSignal) => Promise<T>} work
-     */
-    async function run(signal, work) {
-        const all = new AbortController();
-        const stop = () => all.abort();
-        signal.addEventListener('abort', stop);
-        if (signal.aborted) stop();
-        try {
-            return await work(all.signal);
-        } finally {
-            signal.removeEventListener('abort', stop);
-            stop();
-        }
-    }
+    /** @type {Search} */
+    const self = { tools: [], parts: 1, done: 0, first: 0, most: 0, isThorough: false };
 
     return {
         /**
@@ -115,49 +56,120 @@ export function createSearch() {
          */
         begin: (source, question, signal, progress, { thorough = false, named = [] } = {}) =>
             run(signal, async (signal) => {
-                isThorough = thorough;
+                self.isThorough = thorough;
                 const isString = 'text' in source;
-                parts = isString ? 1 : workersOn(navigator);
-                have(parts);
-                ({ first, most } = isString ? WORK.string : WORK.picture);
-                if (thorough) most = Math.min(most, THOROUGH);
-                done = 0;
+                self.parts = isString ? 1 : workersOn(navigator);
+                have(self, self.parts);
+                ({ first: self.first, most: self.most } = isString ? WORK.string : WORK.picture);
+                if (thorough) self.most = Math.min(self.most, THOROUGH);
+                self.done = 0;
                 await Promise.all(
-                    tools
-                        .slice(0, parts)
-                        .map((tool, part) => tool.call('begin', { source, question, part, parts, named }, { signal })),
+                    self.tools
+                        .slice(0, self.parts)
+                        .map((tool, part) =>
+                            tool.call('begin', { source, question, part, parts: self.parts, named }, { signal }),
+                        ),
                 );
-                return goOn(signal, progress);
+                return goOn(self, signal, progress);
             }),
 
-        /** Where the searched picture and a system differ, or null (js/differences.js). @param {Definition} definition */
-        compared: async (definition) => (await tools[0]?.call('compare', { definition })) ?? null,
+        /** Where the searched picture and a system differ, or null (js/base/differences.js). @param {Definition} definition */
+        compared: async (definition) => (await self.tools[0]?.call('compare', { definition })) ?? null,
 
         /** Draws an SVG; throws a sentence if that is not possible. @param {Uint8Array<ArrayBuffer>} bytes */
-        async drawSvg(bytes) {
-            have(1);
-            const [tool] = tools;
-            if (!tool) throw new Error(say`There is no worker.`);
-            try {
-                return await tool.call('svg', { bytes });
-            } catch (error) {
-                // On a busy machine the worker is ended before its work is counted to the end.
-                if (error instanceof Error && error.message === SILENT)
-                    throw new Error(say`This SVG takes too long to draw. Save it as a PNG first.`);
-                throw error;
-            }
-        },
+        drawSvg: (bytes) => drawSvg(self, bytes),
 
         /** What a photograph shows, straightened; null if the picture is none, or if that takes too long. @param {import('./ink.js').Grey} picture */
         async straightened({ grey, width, height }) {
-            have(1);
-            return (await tools[0]?.call('photograph', { grey, width, height }).catch(() => null)) ?? null;
+            have(self, 1);
+            return (await self.tools[0]?.call('photograph', { grey, width, height }).catch(() => null)) ?? null;
         },
 
         /** Goes on where the search stopped. @param {AbortSignal} signal @param {(report: FindReport) => void} progress */
         longer(signal, progress) {
-            most = Math.max(most, done * LONGER, first * LONGER);
-            return run(signal, (signal) => goOn(signal, progress));
+            self.most = Math.max(self.most, self.done * LONGER, self.first * LONGER);
+            return run(signal, (signal) => goOn(self, signal, progress));
         },
     };
+}
+
+/** @param {Search} self @param {number} count */
+function have(self, count) {
+    while (self.tools.length < count) self.tools.push(createTool('find'));
+}
+
+/**
+ * Works until a system is found, and some rounds more for better ones; or until `most`.
+ * @param {Search} self
+ * @param {AbortSignal} signal
+ * @param {(report: FindReport) => void} progress
+ * @returns {Promise<FindReport>}
+ */
+async function goOn(self, signal, progress) {
+    /** @type {(FindReport | null)[]} */
+    const reports = Array.from({ length: self.parts }, () => null);
+    const show = () => {
+        const known = reports.filter((report) => report !== null);
+        if (known.length === self.parts) progress(merged(known));
+    };
+    for (let rounds = Infinity; ; ) {
+        const until = Math.min(self.most, Math.max(self.first, self.done * 2));
+        const answers = await Promise.all(
+            self.tools.slice(0, self.parts).map((tool, part) =>
+                tool.call(
+                    'search',
+                    { until },
+                    {
+                        signal,
+                        progress: (report) => {
+                            reports[part] = report;
+                            show();
+                        },
+                    },
+                ),
+            ),
+        );
+        answers.forEach((report, part) => (reports[part] = report));
+        const report = merged(answers);
+        self.done = until;
+        if (!report.isMore || self.done >= self.most || (rounds === 0 && !self.isThorough)) return report;
+        if (report.candidates.some(isSame)) rounds = Math.min(rounds, AFTER.same);
+        else if (report.candidates.some((candidate) => candidate.isFound)) rounds = Math.min(rounds, AFTER.near);
+        rounds--;
+        show();
+    }
+}
+
+/**
+ * Runs a part of the search. If a worker fails or the search is stopped, all workers stop.
+ * @template T
+ * @param {AbortSignal} signal
+ * @param {(signal: AbortSignal) => Promise<T>} work
+ */
+async function run(signal, work) {
+    const all = new AbortController();
+    const stop = () => all.abort();
+    signal.addEventListener('abort', stop);
+    if (signal.aborted) stop();
+    try {
+        return await work(all.signal);
+    } finally {
+        signal.removeEventListener('abort', stop);
+        stop();
+    }
+}
+
+/** @param {Search} self @param {Uint8Array<ArrayBuffer>} bytes */
+async function drawSvg(self, bytes) {
+    have(self, 1);
+    const [tool] = self.tools;
+    if (!tool) throw new Error(say`There is no worker.`);
+    try {
+        return await tool.call('svg', { bytes });
+    } catch (error) {
+        // On a busy machine the worker is ended before its work is counted to the end.
+        if (error instanceof Error && error.message === SILENT)
+            throw new Error(say`This SVG takes too long to draw. Save it as a PNG first.`);
+        throw error;
+    }
 }

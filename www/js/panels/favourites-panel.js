@@ -1,12 +1,12 @@
 /** The form in the Save section that adds the current state to favourites. */
 
-import { toast } from '../announce.js';
-import { button, byId, input } from '../dom.js';
-import { MOST_FAVOURITES, favourite } from '../favourites.js';
+import { toast } from '../base/announce.js';
+import { button, byId, input } from '../base/dom.js';
+import { MOST_FAVOURITES, favourite } from '../favourites/favourites.js';
 import { FULL } from '../favourites/stored.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
-/** @param {import('../store.js').Store} store @param {ReturnType<typeof import('../favourites/stored.js').createStored>} stored */
+/** @param {import('../state/store.js').Store} store @param {ReturnType<typeof import('../favourites/stored.js').createStored>} stored */
 export function favouritesPanel(store, stored) {
     const name = input('favourite-name');
     const form = byId('favourites-form', HTMLFormElement);
@@ -20,7 +20,7 @@ export function favouritesPanel(store, stored) {
             return toast(say`“${added.name}” is already in favourites.`);
         if (former.length >= MOST_FAVOURITES)
             return toast(say`At most ${MOST_FAVOURITES} favourites: delete some first.`);
-        if (!stored.put([added, ...former])) return toast(FULL);
+        if (!stored.put([added])) return toast(FULL);
         name.value = '';
         toast(say`Added “${added.name}” to favourites.`);
     });

@@ -1,33 +1,44 @@
 /** Iterations, angles, the seed where chance plays a part, and the size of the result. */
 
-import { button, byId, html, input, make, setText } from '../dom.js';
+import { button, byId, html, input, make, setText } from '../base/dom.js';
 import { dial } from '../controls/dial.js';
 import { listProblems } from '../controls/editor.js';
-import { numberField } from '../controls/number-field.js';
-import { largestLabel } from '../fix.js';
-import { setLayer } from '../layers.js';
-import { grouped, marked, plain, short, shortText } from '../numerals.js';
-import { definitionOf, rangeOf } from '../state.js';
-import { FIELDS } from '../tables.js';
-import { counted, say } from '../words.js';
-
-/** @typedef {import('../engine.js').Report} Report */
+import { stateField } from '../controls/state-field.js';
+import { largestLabel } from '../base/fix.js';
+import { setLayer } from '../base/layers.js';
+import { grouped, marked, plain, short, shortText } from '../base/numerals.js';
+import { definitionOf, rangeOf } from '../state/state.js';
+import { counted, say } from '../base/words.js';
 
 /**
- * @param {import('../store.js').Store} store
+ * The fields and the last report.
+ * @typedef {object} Panel
+ * @property {import('../state/store.js').Store} store
+ * @property {ReturnType<typeof dial>} iterations
+ * @property {Report | null} last
+ * @property {{system: string, largest: number, why: string} | null} bound The highest possible number of iterations and the reason, once known
+ * @property {'symbols' | 'segments' | null} expanded The count that shows all its digits
+ */
+
+/** @typedef {import('../engine/engine.js').Report} Report */
+
+/**
+ * @param {import('../state/store.js').Store} store
  * @param {{seed: () => Promise<number>}} source
  */
 export function growthPanel(store, source) {
-    const iterations = dial(store, 'iterations', 'iterations');
+    /** @type {Panel} */
+    const self = {
+        store,
+        iterations: dial(store, 'iterations', 'iterations'),
+        last: null,
+        bound: null,
+        expanded: null,
+    };
+
     const angle = dial(store, 'angle', 'angle');
     const right = dial(store, 'rightAngle', 'right');
-    const showSeed = numberField(input('seed'), {
-        ...rangeOf('seed'),
-        expected: FIELDS.seed.expected,
-        step: 1,
-        change: (seed) => store.change({ seed }, 'seed'),
-        settle: () => store.settle(),
-    });
+    const showSeed = stateField(store, 'seed', 'seed', 1);
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {
@@ -41,29 +52,23 @@ export function growthPanel(store, source) {
         }
     });
 
-    /** @type {Report | null} */
-    let last = null;
-    /** The highest possible number of iterations and the reason, once known. @type {{system: string, largest: number, why: string} | null} */
-    let bound = null;
-    /** The count that shows all its digits. @type {'symbols' | 'segments' | null} */
-    let expanded = null;
     for (const kind of /** @type {const} */ (['symbols', 'segments'])) {
-        button(kind).addEventListener('click', () => expand(expanded === kind ? null : kind));
+        button(kind).addEventListener('click', () => expand(self.expanded === kind ? null : kind));
     }
 
     /** @param {'symbols' | 'segments' | null} kind */
     function expand(kind) {
-        expanded = kind;
+        self.expanded = kind;
         setLayer(fold, kind !== null);
-        if (last) showDigits(last, expanded);
+        if (self.last) showDigits(self.last, self.expanded);
     }
 
     const fold = () => expand(null);
 
     return {
-        /** @param {import('../state.js').State} state */
+        /** @param {import('../state/state.js').State} state */
         show(state) {
-            iterations.show(state.iterations);
+            self.iterations.show(state.iterations);
             angle.show(state.angle);
             const differs = state.rightAngle !== null;
             twoAngles.checked = differs;
@@ -74,33 +79,34 @@ export function growthPanel(store, source) {
             showAnglePicture(state.angle);
         },
 
-        /** @param {Report} report @param {import('../state.js').State} state */
-        report(report, state) {
-            const wrong = report.diagnostics.filter(({ field }) => field === 'numbers');
-            listProblems(html('numbers-problems'), wrong);
-            const { largest } = report;
-            if (largest !== null && wrong.some(({ severity }) => severity === 'error')) {
-                const remedy = make('button', { type: 'button', class: 'button fix' }, largestLabel(largest));
-                remedy.addEventListener('click', () => store.change({ iterations: largest }, ''));
-                html('numbers-problems').lastElementChild?.append(remedy);
-            }
-            if (!report.ok) return;
-            last = report;
-            for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
-            showDigits(report, expanded);
-            const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
-            if (bound?.system !== system) bound = null;
-            if (report.largest !== null && report.largest < rangeOf('iterations').high) {
-                const passed = report.diagnostics.find(
-                    ({ field, severity }) => field === 'numbers' && severity === 'error',
-                );
-                bound = { system, largest: report.largest, why: passed?.message ?? '' };
-            }
-            iterations.limit(bound && Math.max(bound.largest, state.iterations));
-            html('seed-row').hidden = !report.stochastic;
-            setText(html('status'), statusOf(report, bound));
-        },
+        /** @param {Report} report @param {import('../state/state.js').State} state */
+        report: (report, state) => showReport(self, report, state),
     };
+}
+
+/** @param {Panel} self @param {Report} report @param {import('../state/state.js').State} state */
+function showReport(self, report, state) {
+    const wrong = report.diagnostics.filter(({ field }) => field === 'numbers');
+    listProblems(html('numbers-problems'), wrong);
+    const { largest } = report;
+    if (largest !== null && wrong.some(({ severity }) => severity === 'error')) {
+        const remedy = make('button', { class: 'button fix' }, largestLabel(largest));
+        remedy.addEventListener('click', () => self.store.change({ iterations: largest }, ''));
+        html('numbers-problems').lastElementChild?.append(remedy);
+    }
+    if (!report.ok) return;
+    self.last = report;
+    for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
+    showDigits(report, self.expanded);
+    const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
+    if (self.bound?.system !== system) self.bound = null;
+    if (report.largest !== null && report.largest < rangeOf('iterations').high) {
+        const passed = report.diagnostics.find(({ field, severity }) => field === 'numbers' && severity === 'error');
+        self.bound = { system, largest: report.largest, why: passed?.message ?? '' };
+    }
+    self.iterations.limit(self.bound && Math.max(self.bound.largest, state.iterations));
+    html('seed-row').hidden = !report.stochastic;
+    setText(html('status'), statusOf(report, self.bound));
 }
 
 /**
@@ -171,7 +177,7 @@ function showAnglePicture(degrees) {
 
 /**
  * The text under the title of the caption.
- * @param {import('../state.js').State} state
+ * @param {import('../state/state.js').State} state
  * @param {Report} report
  */
 export function captionOf({ iterations, angle, rightAngle }, { segments }) {

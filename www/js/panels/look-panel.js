@@ -1,80 +1,39 @@
 /** The Look section: colours and strokes. */
 
-import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
+import { button, byId, html, input, make, setChoice, setText } from '../base/dom.js';
 import { numberField } from '../controls/number-field.js';
-import { SCHEMES, hasScheme, schemePatch } from '../colour-schemes.js';
-import { maxLengthOf, rangeOf } from '../state.js';
-import { say } from '../words.js';
+import { SCHEMES, hasScheme, schemePatch } from '../state/colour-schemes.js';
+import { maxLengthOf, rangeOf } from '../state/state.js';
+import { COLOURINGS } from '../tables.js';
+import { said, say } from '../base/words.js';
 
-/** @type {Record<import('../state.js').ColourBy, string>} */
-const NOTES = {
-    symbol: '',
-    level: say`First colour for the stem, next colour for its branches, and so on.`,
-    generation: say`Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.`,
-    path: say`A gradient of all colours, from the first segment to the last.`,
-    turn: say`First colour at the start, other colours after turns. Each branch restores the colour before it.`,
-    density: say`Where ink adds up: a gradient of all colours, from the least ink to the most.`,
-    single: '',
-};
+/**
+ * The fields and the last report.
+ * @typedef {object} Look
+ * @property {import('../state/store.js').Store} store
+ * @property {HTMLElement} wells
+ * @property {{scheme: typeof SCHEMES[number], chip: HTMLButtonElement}[]} schemes
+ * @property {HTMLSelectElement} inkKind
+ * @property {boolean} space
+ * @property {HTMLSelectElement} colourBy
+ * @property {[HTMLInputElement, 'paletteHolds' | 'tapers' | 'shadows' | 'shapes'][]} flags
+ * @property {((value: number) => void)[]} turnFields
+ * @property {HTMLInputElement} auto
+ * @property {HTMLInputElement} background
+ */
 
-/** @param {import('../store.js').Store} store */
+/** @param {import('../state/store.js').Store} store */
 export function lookPanel(store) {
-    const settle = () => store.settle();
-    const wells = html('wells');
-
-    const schemes = SCHEMES.map((scheme) => {
-        const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
-        swatch.style.background = scheme.background;
-        for (const colour of scheme.palette.slice(0, 5)) {
-            const stripe = make('i');
-            stripe.style.background = colour;
-            swatch.append(stripe);
-        }
-        const chip = make(
-            'button',
-            { type: 'button', class: 'ink', 'aria-pressed': 'false' },
-            swatch,
-            make('span', {}, scheme.name),
-        );
-        chip.addEventListener('click', () => store.change(schemePatch(scheme), ''));
-        html('inks').append(chip);
-        return { scheme, chip };
-    });
-
     const inkKind = byId('ink', HTMLSelectElement);
     inkKind.addEventListener('change', () => {
-        store.change({ ink: /** @type {import('../state.js').Ink} */ (inkKind.value) }, '');
+        store.change({ ink: /** @type {import('../state/state.js').Ink} */ (inkKind.value) }, '');
     });
-    let space = false;
-
-    /** @param {import('../state.js').State} state */
-    const showInk = (state) => {
-        const isDensity = state.ink === 'density';
-        const adds = isDensity || (state.ink !== 'solid' && !space);
-        setChoice(inkKind, space && !isDensity ? 'solid' : state.ink);
-        for (const option of inkKind.options) if (option.value === 'auto') option.disabled = space;
-        html('exposure-row').hidden = !adds;
-        html('shadows-row').hidden = !space || isDensity;
-        html('shapes-row').hidden = !/^\s*shape\s/m.test(state.rules);
-        setText(
-            html('ink-note'),
-            isDensity
-                ? space
-                    ? say`Overlapping strokes add up, and nothing is hidden. PNG pictures keep this; SVG files are opaque.`
-                    : say`Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.`
-                : space
-                  ? ''
-                  : adds
-                    ? say`Opaque, but strokes finer than a pixel add up. SVG files are opaque.`
-                    : '',
-        );
-        for (const option of colourBy.options)
-            if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
-    };
 
     const colourBy = byId('colour-by', HTMLSelectElement);
+    for (const [value, { label }] of Object.entries(COLOURINGS))
+        colourBy.append(make('option', { value }, said(label)));
     colourBy.addEventListener('change', () => {
-        store.change({ colourBy: /** @type {import('../state.js').ColourBy} */ (colourBy.value) }, '');
+        store.change({ colourBy: /** @type {import('../state/state.js').ColourBy} */ (colourBy.value) }, '');
     });
     const flags = /** @type {[HTMLInputElement, 'paletteHolds' | 'tapers' | 'shadows' | 'shapes'][]} */ ([
         [input('palette-holds'), 'paletteHolds'],
@@ -83,31 +42,32 @@ export function lookPanel(store) {
         [input('shapes'), 'shapes'],
     ]);
     for (const [box, name] of flags) box.addEventListener('change', () => store.change({ [name]: box.checked }, ''));
-    const turnFields = ['left-colour', 'right-colour'].map((id, side) =>
-        numberField(input(id), {
-            low: 1,
-            high: rangeOf('turnColours').high + 1,
-            expected: say`a whole number above 0`,
-            step: 1,
-            whole: true,
-            settle,
-            change: (value) => {
-                const [left, right] = store.state.turnColours;
-                store.change({ turnColours: side === 0 ? [value - 1, right] : [left, value - 1] }, id);
-            },
-        }),
-    );
+    const turnFields = [turnField(store, 'left-colour', 0), turnField(store, 'right-colour', 1)];
     const auto = input('auto-look');
-    /** What an automatic look chose. @type {import('../engine.js').Report['look']} */
+    /** What an automatic look chose. @type {import('../engine/engine.js').Report['look']} */
     let chosen = null;
     auto.addEventListener('change', () => {
         const { words: _, ...values } = chosen ?? { words: '' };
         // The values chosen are the start of an own look.
-        store.change(/** @type {Partial<import('../state.js').State>} */ ({ ...values, auto: auto.checked }), '');
+        store.change(/** @type {Partial<import('../state/state.js').State>} */ ({ ...values, auto: auto.checked }), '');
     });
     const background = input('background');
+    /** @type {Look} */
+    const self = {
+        store,
+        wells: html('wells'),
+        schemes: SCHEMES.map((scheme) => ({ scheme, chip: schemeChip(store, scheme) })),
+        inkKind,
+        space: false,
+        colourBy,
+        flags,
+        turnFields,
+        auto,
+        background,
+    };
+
     background.addEventListener('input', () => store.change({ background: background.value }, 'background'));
-    background.addEventListener('change', settle);
+    background.addEventListener('change', store.settle);
 
     button('add-colour').addEventListener('click', () => {
         const { palette } = store.state;
@@ -117,53 +77,122 @@ export function lookPanel(store) {
         if (store.state.palette.length > 1) store.change({ palette: store.state.palette.slice(0, -1) }, '');
     });
 
-    /** @param {number} index */
-    function newWell(index) {
-        const well = make('input', {
-            type: 'color',
-            class: 'well',
-            'aria-label': say`Colour ${index + 1}`,
-            title: say`Colour ${index + 1}`,
-        });
-        well.addEventListener('input', () => {
-            store.change(
-                { palette: store.state.palette.map((colour, at) => (at === index ? well.value : colour)) },
-                `palette ${index}`,
-            );
-        });
-        well.addEventListener('change', settle);
-        return well;
-    }
-
     return {
-        /** @param {import('../engine.js').Report} report @param {import('../state.js').State} state */
+        /** @param {import('../engine/engine.js').Report} report @param {import('../state/state.js').State} state */
         report(report, state) {
-            space = report.space;
+            self.space = report.space;
             chosen = report.look;
             setText(html('auto-note'), state.auto ? (chosen?.words ?? '') : '');
-            showInk(state);
+            showInk(self, state);
         },
-        /** @param {import('../state.js').State} state */
-        show(state) {
-            showInk(state);
-            while (wells.childElementCount > state.palette.length) wells.lastElementChild?.remove();
-            while (wells.childElementCount < state.palette.length) wells.append(newWell(wells.childElementCount));
-            state.palette.forEach((colour, at) => {
-                const well = wells.children[at];
-                if (well instanceof HTMLInputElement && well.value !== colour) well.value = colour;
-            });
-            button('remove-colour').disabled = state.palette.length === 1;
-            button('add-colour').disabled = state.palette.length >= maxLengthOf('palette');
-            for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
-            auto.checked = state.auto;
-            html('own-look').hidden = state.auto;
-            setChoice(colourBy, state.colourBy);
-            for (const [box, name] of flags) box.checked = state[name];
-            html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';
-            html('turns-row').hidden = state.colourBy !== 'turn';
-            turnFields.forEach((field, side) => field(/** @type {number} */ (state.turnColours[side]) + 1));
-            setText(html('colour-note'), NOTES[state.colourBy]);
-            if (background.value !== state.background) background.value = state.background;
-        },
+        /** @param {import('../state/state.js').State} state */
+        show: (state) => showLook(self, state),
     };
+}
+
+/**
+ * A button that takes a colour scheme.
+ * @param {import('../state/store.js').Store} store
+ * @param {typeof SCHEMES[number]} scheme
+ */
+function schemeChip(store, scheme) {
+    const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
+    swatch.style.background = scheme.background;
+    for (const colour of scheme.palette.slice(0, 5)) {
+        const stripe = make('i');
+        stripe.style.background = colour;
+        swatch.append(stripe);
+    }
+    const chip = make('button', { class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, scheme.name));
+    chip.addEventListener('click', () => store.change(schemePatch(scheme), ''));
+    html('inks').append(chip);
+    return chip;
+}
+
+/**
+ * A field for the colour of the turns to one side.
+ * @param {import('../state/store.js').Store} store
+ * @param {string} id
+ * @param {0 | 1} side
+ */
+function turnField(store, id, side) {
+    return numberField(input(id), {
+        low: 1,
+        high: rangeOf('turnColours').high + 1,
+        expected: say`a whole number above 0`,
+        step: 1,
+        whole: true,
+        settle: store.settle,
+        change: (value) => {
+            const [left, right] = store.state.turnColours;
+            store.change({ turnColours: side === 0 ? [value - 1, right] : [left, value - 1] }, id);
+        },
+    });
+}
+
+/** @param {Look} self @param {import('../state/state.js').State} state */
+const showInk = (self, state) => {
+    const isDensity = state.ink === 'density';
+    const adds = isDensity || (state.ink !== 'solid' && !self.space);
+    setChoice(self.inkKind, self.space && !isDensity ? 'solid' : state.ink);
+    for (const option of self.inkKind.options) if (option.value === 'auto') option.disabled = self.space;
+    html('exposure-row').hidden = !adds;
+    html('shadows-row').hidden = !self.space || isDensity;
+    html('shapes-row').hidden = !/^\s*shape\s/m.test(state.rules);
+    setText(
+        html('ink-note'),
+        isDensity
+            ? self.space
+                ? say`Overlapping strokes add up, and nothing is hidden. PNG pictures keep this; SVG files are opaque.`
+                : say`Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.`
+            : self.space
+              ? ''
+              : adds
+                ? say`Opaque, but strokes finer than a pixel add up. SVG files are opaque.`
+                : '',
+    );
+    for (const option of self.colourBy.options)
+        if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
+};
+
+/** @param {Look} self @param {number} index */
+function newWell(self, index) {
+    const well = make('input', {
+        type: 'color',
+        class: 'well',
+        'aria-label': say`Colour ${index + 1}`,
+        title: say`Colour ${index + 1}`,
+    });
+    well.addEventListener('input', () => {
+        self.store.change(
+            { palette: self.store.state.palette.map((colour, at) => (at === index ? well.value : colour)) },
+            `palette ${index}`,
+        );
+    });
+    well.addEventListener('change', self.store.settle);
+    return well;
+}
+
+/** @param {Look} self @param {import('../state/state.js').State} state */
+function showLook(self, state) {
+    showInk(self, state);
+    while (self.wells.childElementCount > state.palette.length) self.wells.lastElementChild?.remove();
+    while (self.wells.childElementCount < state.palette.length)
+        self.wells.append(newWell(self, self.wells.childElementCount));
+    state.palette.forEach((colour, at) => {
+        const well = self.wells.children[at];
+        if (well instanceof HTMLInputElement && well.value !== colour) well.value = colour;
+    });
+    button('remove-colour').disabled = state.palette.length === 1;
+    button('add-colour').disabled = state.palette.length >= maxLengthOf('palette');
+    for (const { scheme, chip } of self.schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
+    self.auto.checked = state.auto;
+    html('own-look').hidden = state.auto;
+    setChoice(self.colourBy, state.colourBy);
+    for (const [box, name] of self.flags) box.checked = state[name];
+    html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';
+    html('turns-row').hidden = state.colourBy !== 'turn';
+    self.turnFields.forEach((field, side) => field(/** @type {number} */ (state.turnColours[side]) + 1));
+    setText(html('colour-note'), said(COLOURINGS[state.colourBy].help));
+    if (self.background.value !== state.background) self.background.value = state.background;
 }

@@ -1,14 +1,14 @@
 /** The Rules section: axiom and productions. */
 
-import { toast } from '../announce.js';
-import { byId, html, setText } from '../dom.js';
-import { applyFix } from '../fix.js';
+import { toast } from '../base/announce.js';
+import { byId, html, setText } from '../base/dom.js';
+import { applyFix } from '../base/fix.js';
 import { editor } from '../controls/editor.js';
-import { maxLengthOf } from '../state.js';
+import { maxLengthOf } from '../state/state.js';
 import { FIELDS } from '../tables.js';
-import { said, say } from '../words.js';
+import { said, say } from '../base/words.js';
 
-/** @param {import('../store.js').Store} store */
+/** @param {import('../state/store.js').Store} store */
 export function rulesPanel(store) {
     const settle = () => store.settle();
     /** @param {import('../protocol.js').Diagnostic} diagnostic */
@@ -31,7 +31,7 @@ export function rulesPanel(store) {
     });
 
     return {
-        /** @param {import('../state.js').State} state */
+        /** @param {import('../state/state.js').State} state */
         show(state) {
             axiom.show(state.axiom);
             rules.show(state.rules);
@@ -39,7 +39,7 @@ export function rulesPanel(store) {
             setText(html('system-notes'), said(state.notes));
             html('about').hidden = state.source === '' && state.notes === '';
         },
-        /** @param {import('../protocol.js').Notation} notation @param {import('../notation.js').Texts} texts */
+        /** @param {import('../protocol.js').Notation} notation @param {import('../controls/notation.js').Texts} texts */
         read(notation, texts) {
             axiom.tint(notation.axiom, texts.axiom);
             rules.tint(notation.rules, texts.rules);

@@ -1,15 +1,15 @@
 /** The Save section: title, link, files, and opening files. */
 
-import { addressOf } from '../files.js';
-import { toast } from '../announce.js';
-import { copyText } from '../copy.js';
-import { button, byId, input, setValue } from '../dom.js';
-import { bestLink } from '../packed.js';
-import { say } from '../words.js';
+import { addressOf } from '../base/files.js';
+import { toast } from '../base/announce.js';
+import { copyText } from '../base/copy.js';
+import { button, byId, input, setValue } from '../base/dom.js';
+import { bestLink } from '../state/packed.js';
+import { say } from '../base/words.js';
 
 /**
- * @param {import('../store.js').Store} store
- * @param {ReturnType<typeof import('../dialogs.js').createDialogs>} dialogs
+ * @param {import('../state/store.js').Store} store
+ * @param {ReturnType<typeof import('../dialogs/dialogs.js').createDialogs>} dialogs
  */
 export function savePanel(store, dialogs) {
     const title = input('title');

@@ -1,6 +1,6 @@
 /** The tabs of the controls. On a phone, the selected tab also folds the controls, as the handle above them does. */
 
-import { button } from '../dom.js';
+import { button } from '../base/dom.js';
 
 /** The section that is open at first. */
 const FIRST = 'rules';

@@ -1,73 +1,36 @@
 /** The Turtle section: actions of symbols, and the start of the turtle. */
 
-import { button, html, input, make, setText } from '../dom.js';
+import { button, html, input, make, setText } from '../base/dom.js';
 import { numberField, optionalField } from '../controls/number-field.js';
-import { rangeOf } from '../state.js';
+import { rangeOf } from '../state/state.js';
 import { FIELDS } from '../tables.js';
+import { stateField } from '../controls/state-field.js';
 import { symbolsFields } from './symbols-fields.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
-/** @typedef {import('../engine.js').Report} Report */
-/** @typedef {import('../state.js').FieldName} FieldName */
+/** @typedef {import('../engine/engine.js').Report} Report */
+/** @typedef {import('../state/state.js').FieldName} FieldName */
 
-/** @param {import('../store.js').Store} store */
+/** @param {import('../state/store.js').Store} store */
 export function turtlePanel(store) {
-    const settle = () => store.settle();
     const symbols = symbolsFields(store);
-    const showStep = plainField('step', 'step', 1);
-    const showStart = listFields('start', ['start-x', 'start-y'], 1);
+    const showStep = stateField(store, 'step', 'step', 1);
+    const showStart = listFields(store, 'start', ['start-x', 'start-y'], 1);
 
     const [showBends, showSways] = [opener('bends'), opener('sways')];
     const [showDown, showUp, showLeft, showRight] = [
-        optionalAngle('pitchDown', 'pitch-down'),
-        optionalAngle('pitchUp', 'pitch-up'),
-        optionalAngle('rollLeft', 'roll-left'),
-        optionalAngle('rollRight', 'roll-right'),
+        optionalAngle(store, 'pitchDown', 'pitch-down'),
+        optionalAngle(store, 'pitchUp', 'pitch-up'),
+        optionalAngle(store, 'rollLeft', 'roll-left'),
+        optionalAngle(store, 'rollRight', 'roll-right'),
     ];
-    const showElasticity = plainField('elasticity', 'elasticity', 0.01);
-    const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
-    const showSway = listFields('sway', ['sway-strength', 'sway-phase'], 1);
+    const showElasticity = stateField(store, 'elasticity', 'elasticity', 0.01);
+    const showPull = listFields(store, 'tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
+    const showSway = listFields(store, 'sway', ['sway-strength', 'sway-phase'], 1);
     /** Whether the drawing is in space. */
     let space = false;
 
-    /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
-    function plainField(field, id, step) {
-        return numberField(input(id), {
-            ...rangeOf(field),
-            expected: FIELDS[field].expected,
-            step,
-            settle,
-            change: (value) => store.change({ [field]: value }, field),
-        });
-    }
-
-    /** A field for an optional angle. @param {FieldName} field @param {string} id */
-    function optionalAngle(field, id) {
-        return optionalField(input(id), {
-            ...rangeOf(field),
-            expected: FIELDS[field].expected,
-            step: 1,
-            settle,
-            change: (value) => store.change({ [field]: value }, field),
-        });
-    }
-
-    /** Fields for the numbers of a list. @param {'start' | 'tropism' | 'sway'} field @param {string[]} ids @param {number} step */
-    function listFields(field, ids, step) {
-        const { expected = '', ...range } = rangeOf(field);
-        const show = ids.map((id, at) =>
-            numberField(input(id), {
-                ...range,
-                expected,
-                step,
-                settle,
-                change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field),
-            }),
-        );
-        return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
-    }
-
-    /** Shows the angles in space if the drawing is in space or an angle is set. @param {import('../state.js').State} state */
+    /** Shows the angles in space if the drawing is in space or an angle is set. @param {import('../state/state.js').State} state */
     function showSpace({ angle, pitchDown, pitchUp, rollLeft, rollRight }) {
         html('space').hidden = !space && [pitchDown, pitchUp, rollLeft, rollRight].every((value) => value === null);
         showDown(pitchDown, angle);
@@ -77,21 +40,6 @@ export function turtlePanel(store) {
     }
 
     button('letters-draw').addEventListener('click', () => store.change({ dialect: 'every-letter' }, ''));
-
-    /** Tells letters that draw nothing, which many courses let draw. @param {Report['legend']} legend */
-    function showHint(legend) {
-        const silent = legend
-            .filter(({ symbol, idle }) => idle && /^[A-Za-z]/.test(symbol))
-            .map(({ symbol }) => symbol.charAt(0));
-        html('legend-hint').hidden = silent.length === 0 || store.state.dialect === 'every-letter';
-        const [names, last = ''] = [silent.slice(0, -1).join(', '), silent.at(-1)];
-        setText(
-            html('legend-silent'),
-            names
-                ? say`${names} and ${last} draw nothing (course assignments: every letter draws).`
-                : say`${last} draws nothing (course assignments: every letter draws).`,
-        );
-    }
 
     /** A key for each row of the legend, so that unchanged rows are not updated. @type {string[]} */
     let shownKeys = [];
@@ -110,7 +58,7 @@ export function turtlePanel(store) {
     }
 
     return {
-        /** @param {import('../state.js').State} state */
+        /** @param {import('../state/state.js').State} state */
         show(state) {
             symbols.show(state);
             showStep(state.step);
@@ -131,9 +79,65 @@ export function turtlePanel(store) {
             space = report.space;
             showSpace(store.state);
             showLegend(legend);
-            showHint(legend);
+            showHint(store, legend);
         },
     };
+}
+
+/**
+ * A field for an optional angle.
+ * @param {import('../state/store.js').Store} store
+ * @param {FieldName} field
+ * @param {string} id
+ */
+function optionalAngle(store, field, id) {
+    return optionalField(input(id), {
+        ...rangeOf(field),
+        expected: FIELDS[field].expected,
+        step: 1,
+        settle: store.settle,
+        change: (value) => store.change({ [field]: value }, field),
+    });
+}
+
+/**
+ * Fields for the numbers of a list.
+ * @param {import('../state/store.js').Store} store
+ * @param {'start' | 'tropism' | 'sway'} field
+ * @param {string[]} ids
+ * @param {number} step
+ */
+function listFields(store, field, ids, step) {
+    const { expected = '', ...range } = rangeOf(field);
+    const show = ids.map((id, at) =>
+        numberField(input(id), {
+            ...range,
+            expected,
+            step,
+            settle: store.settle,
+            change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field),
+        }),
+    );
+    return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
+}
+
+/**
+ * Tells letters that draw nothing, which many courses let draw.
+ * @param {import('../state/store.js').Store} store
+ * @param {Report['legend']} legend
+ */
+function showHint(store, legend) {
+    const silent = legend
+        .filter(({ symbol, idle }) => idle && /^[A-Za-z]/.test(symbol))
+        .map(({ symbol }) => symbol.charAt(0));
+    html('legend-hint').hidden = silent.length === 0 || store.state.dialect === 'every-letter';
+    const [names, last = ''] = [silent.slice(0, -1).join(', '), silent.at(-1)];
+    setText(
+        html('legend-silent'),
+        names
+            ? say`${names} and ${last} draw nothing (course assignments: every letter draws).`
+            : say`${last} draws nothing (course assignments: every letter draws).`,
+    );
 }
 
 /** Opens fields when their effect begins; the reader may close them. @param {string} id */

@@ -1,11 +1,11 @@
 /** Copying the string of a generation: the whole one, of which the view shows a part. */
 
-import { toast } from '../announce.js';
-import { copyText } from '../copy.js';
-import { button } from '../dom.js';
-import { grouped } from '../numerals.js';
+import { toast } from '../base/announce.js';
+import { copyText } from '../base/copy.js';
+import { button } from '../base/dom.js';
+import { grouped } from '../base/numerals.js';
 import { modulesOf } from './words.js';
-import { counted, say } from '../words.js';
+import { counted, say } from '../base/words.js';
 
 /** Longer strings are for files, in symbols. */
 const LONGEST = 1_000_000;

@@ -1,7 +1,7 @@
 /** The buttons and the slider that choose the generation of the string view. */
 
-import { button, html, input, setText } from '../dom.js';
-import { say } from '../words.js';
+import { button, html, input, setText } from '../base/dom.js';
+import { say } from '../base/words.js';
 
 /** @param {(to: number) => void} goTo */
 export function createGenerations(goTo) {

@@ -1,9 +1,9 @@
 /** The string view's card about the selected symbol: its ancestry back to the axiom, and the part of the drawing derived from it. */
 
-import { html, make } from '../dom.js';
+import { html, make } from '../base/dom.js';
 import { countText, placeText } from './places.js';
 import { birth, birthOf, descent, origin, visible } from './words.js';
-import { counted, say } from '../words.js';
+import { counted, say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../protocol.js').SymbolFacts} SymbolFacts */
@@ -19,7 +19,7 @@ export function createOriginCard(goTo) {
     function item(link, own) {
         const here = make(
             'button',
-            { type: 'button', class: 'link' },
+            { class: 'link' },
             make('kbd', {}, visible(link.symbol)),
             make('span', {}, birth(link)),
         );

@@ -1,9 +1,9 @@
 /** The loaded page of a generation's string, and the string's length. The text window requests further pages. */
 
-import { latest } from '../latest.js';
+import { latest } from '../base/latest.js';
 import { REACH, within } from './places.js';
 import { modulesOf } from './words.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').StringPage} StringPage */
 /**

@@ -1,6 +1,6 @@
 /** The Go to field of the string view: accepts a position in the string. */
 
-import { input } from '../dom.js';
+import { input } from '../base/dom.js';
 import { REACH, readPlace } from './places.js';
 
 /** @param {{length: () => bigint | null, choose: (place: bigint) => void}} reader `length` is null while unknown */

@@ -3,8 +3,8 @@
  * through them. Pure functions.
  */
 
-import { grouped, marked, raised, shortText, unmarked } from '../numerals.js';
-import { say } from '../words.js';
+import { grouped, marked, raised, shortText, unmarked } from '../base/numerals.js';
+import { say } from '../base/words.js';
 
 /** The last place that can be reached, because the core counts in 128 bits. */
 export const REACH = 2n ** 128n - 1n;

@@ -11,7 +11,7 @@ const SLOWEST = 0.02;
 
 /**
  * @param {HTMLElement} area
- * @param {{readonly rowHeight: number, readonly height: number, symbolAt: (clientX: number, clientY: number) => bigint | null}} rows
+ * @param {{ruler: {readonly rowHeight: number, readonly height: number}, symbolAt: (clientX: number, clientY: number) => bigint | null}} rows
  * @param {{scroll: (pixels: number) => unknown, click: (index: bigint) => unknown}} act
  */
 export function listenToGestures(area, rows, { scroll, click }) {
@@ -24,7 +24,10 @@ export function listenToGestures(area, rows, { scroll, click }) {
         (event) => {
             if (event.ctrlKey) return;
             event.preventDefault();
-            scroll(event.deltaY * (event.deltaMode === 1 ? rows.rowHeight : event.deltaMode === 2 ? rows.height : 1));
+            scroll(
+                event.deltaY *
+                    (event.deltaMode === 1 ? rows.ruler.rowHeight : event.deltaMode === 2 ? rows.ruler.height : 1),
+            );
         },
         { passive: false },
     );

@@ -3,8 +3,8 @@
  * elements. Arguments make symbols wider.
  */
 
-import { make } from '../dom.js';
-import { tintOf } from '../tint.js';
+import { make } from '../base/dom.js';
+import { tintOf } from '../controls/tint.js';
 import { marginText } from './places.js';
 import { partsOf, visible } from './words.js';
 
@@ -14,40 +14,20 @@ const TEN = 10;
 /** @param {HTMLElement} area */
 export function rowsView(area) {
     const sheet = make('div', { class: 'rows' });
-    const ruler = make('span', { class: 'ruler', 'aria-hidden': 'true' }, '0'.repeat(50));
-    area.append(sheet, ruler);
+    area.append(sheet);
+    const ruler = createRuler(area, sheet);
     /** The shown rows, by number. @type {Map<bigint, {key: string, element: HTMLElement, symbols: string[]}>} */
     let shown = new Map();
     /** The number of symbols in a row. */
     let columns = TEN;
-    /** The number of characters that fit in a row. */
-    let room = TEN;
-    /** The most symbols in a row. */
-    let maxColumns = TEN;
-    let rowHeight = 22;
-    let height = 0;
-    let charWidth = 8;
-    let margin = 60;
     let offset = 0;
     let firstRow = 0n;
-
-    function measure() {
-        const box = ruler.getBoundingClientRect();
-        charWidth = box.width / 50 || 8;
-        rowHeight = box.height || 22;
-        height = area.clientHeight;
-        margin = charWidth * 9;
-        room = Math.max(1, Math.floor((area.clientWidth - margin - charWidth) / charWidth));
-        maxColumns = room >= 2 * TEN ? room - (room % TEN) : room;
-        sheet.style.setProperty('--margin', `${margin}px`);
-        sheet.style.setProperty('--row', `${rowHeight}px`);
-    }
 
     /** The symbol at a place in the window. @param {number} clientX @param {number} clientY @returns {bigint | null} */
     function symbolAt(clientX, clientY) {
         const box = area.getBoundingClientRect();
-        const place = Math.floor((clientX - box.left - margin) / charWidth);
-        const row = firstRow + BigInt(Math.floor((clientY - box.top + offset) / rowHeight));
+        const place = Math.floor((clientX - box.left - ruler.margin) / ruler.charWidth);
+        const row = firstRow + BigInt(Math.floor((clientY - box.top + offset) / ruler.rowHeight));
         const symbols = shown.get(row)?.symbols ?? [];
         if (place < 0) return null;
         let end = 0;
@@ -59,13 +39,7 @@ export function rowsView(area) {
         get columns() {
             return columns;
         },
-        get rowHeight() {
-            return rowHeight;
-        },
-        get height() {
-            return height;
-        },
-        measure,
+        ruler,
 
         /**
          * Sets the number of columns so that the symbols fit. Without `anew` the number may only decrease.
@@ -75,7 +49,7 @@ export function rowsView(area) {
          */
         fit(symbols, anew) {
             const before = columns;
-            const most = mostFitting(symbols, maxColumns, room);
+            const most = mostFitting(symbols, ruler.maxColumns, ruler.room);
             columns = anew ? most : Math.min(columns, most);
             return columns !== before;
         },
@@ -85,7 +59,7 @@ export function rowsView(area) {
          */
         show({ top, page, length, chosen, lit }) {
             const wide = BigInt(columns);
-            const count = Math.ceil(height / rowHeight) + 1;
+            const count = Math.ceil(ruler.height / ruler.rowHeight) + 1;
             /** @type {typeof shown} */
             const next = new Map();
             for (let at = 0; at < count; at++) {
@@ -113,6 +87,34 @@ export function rowsView(area) {
 
         symbolAt,
     };
+}
+
+/** The sizes of rows, in CSS pixels. @param {HTMLElement} area @param {HTMLElement} sheet */
+function createRuler(area, sheet) {
+    const ruler = make('span', { class: 'ruler', 'aria-hidden': 'true' }, '0'.repeat(50));
+    area.append(ruler);
+    const self = {
+        /** The number of characters that fit in a row, and the most symbols in a row. */
+        room: TEN,
+        maxColumns: TEN,
+        rowHeight: 22,
+        height: 0,
+        charWidth: 8,
+        margin: 60,
+
+        measure() {
+            const box = ruler.getBoundingClientRect();
+            self.charWidth = box.width / 50 || 8;
+            self.rowHeight = box.height || 22;
+            self.height = area.clientHeight;
+            self.margin = self.charWidth * 9;
+            self.room = Math.max(1, Math.floor((area.clientWidth - self.margin - self.charWidth) / self.charWidth));
+            self.maxColumns = self.room >= 2 * TEN ? self.room - (self.room % TEN) : self.room;
+            sheet.style.setProperty('--margin', `${self.margin}px`);
+            sheet.style.setProperty('--row', `${self.rowHeight}px`);
+        },
+    };
+    return self;
 }
 
 /** The width of a symbol, in characters. @param {string} symbol */

@@ -1,6 +1,6 @@
 /** The scroll bar of the string view, because strings are too long for the browser's scroll bars. */
 
-import { html } from '../dom.js';
+import { html } from '../base/dom.js';
 
 /** @param {(part: number) => void} moved called with the new position, from 0 to 1 */
 export function createScrollbar(moved) {

@@ -3,19 +3,32 @@
  * reader supplies the generation and the marked symbols.
  */
 
-import { html, setText } from '../dom.js';
-import { grouped, shortText } from '../numerals.js';
+import { html, setText } from '../base/dom.js';
+import { grouped, shortText } from '../base/numerals.js';
 import { createPages } from './pages.js';
 import { REACH, REACH_TEXT, lastTop, placeText, portion, ratio, revealed, rowsOf, scrolled, within } from './places.js';
 import { listenToGestures } from './row-gestures.js';
 import { rowsView } from './rows.js';
 import { createScrollbar } from './scrollbar.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('./places.js').Top} Top */
 
 /** The number of rows loaded above and below the visible rows, so that scrolling is smooth. */
 const SPARE = 40n;
+
+/**
+ * The rows and the place.
+ * @typedef {object} Window
+ * @property {() => boolean} open
+ * @property {() => {chosen: bigint | null, lit: bigint | null}} marks
+ * @property {() => void} arrived
+ * @property {ReturnType<typeof rowsView>} rows
+ * @property {ReturnType<typeof createPages>} pages
+ * @property {ReturnType<typeof createScrollbar>} bar
+ * @property {Top} top
+ * @property {bigint} first The first visible symbol, which stays visible when the length of rows changes
+ */
 
 /**
  * @param {HTMLElement} area
@@ -28,135 +41,136 @@ const SPARE = 40n;
  * @param {(index: bigint) => void} reader.choose
  */
 export function createTextWindow(area, { read, open, generation, marks, arrived, choose }) {
-    const rows = rowsView(area);
-    const pages = createPages(read, generation, receive);
-    const bar = createScrollbar(goToPart);
-    /** @type {Top} */
-    let top = { row: 0n, offset: 0 };
-    /** The first visible symbol, which stays visible when the length of rows changes. */
-    let first = 0n;
+    const pages = createPages(read, generation, (given) => receive(self, given));
+    const bar = createScrollbar((part) => goToPart(self, part));
+    /** @type {Window} */
+    const self = { open, marks, arrived, rows: rowsView(area), pages, bar, top: { row: 0n, offset: 0 }, first: 0n };
 
-    const scale = () => ({
-        rows: rowsOf(pages.length ?? 0n, rows.columns),
-        rowHeight: rows.rowHeight,
-        height: rows.height,
-    });
-    const visibleRows = () => BigInt(Math.ceil(rows.height / rows.rowHeight));
-
-    /** @param {import('./pages.js').Arrived} page */
-    function receive({ another, readable, full }) {
-        const before = BigInt(rows.columns);
-        // Modules with arguments may be wider than the former symbols.
-        const changed = rows.fit(pages.symbols, another);
-        if (changed) top = { row: (top.row * before) / BigInt(rows.columns), offset: 0 };
-        clamp();
-        const { chosen } = marks();
-        if (changed && chosen !== null) reveal(chosen);
-        show();
-        // The window may need more symbols than the page has.
-        if (readable && (changed || full)) fetchMissing();
-        arrived();
-    }
-
-    /** Keeps the window within the string. */
-    function clamp() {
-        if (pages.length !== null) top = scrolled(top, 0, scale());
-    }
-
-    /** Fetches the visible symbols unless they are loaded. */
-    function fetchMissing() {
-        if (!open() || rows.height === 0) return;
-        const columns = BigInt(rows.columns);
-        const count = visibleRows() + 1n;
-        if (pages.holds(top.row * columns, (top.row + count) * columns)) return;
-        const start = top.row > SPARE ? (top.row - SPARE) * columns : 0n;
-        pages.fetch(start, Number((count + 2n * SPARE) * columns));
-    }
-
-    function show() {
-        if (!open()) return;
-        rows.show({ top, page: pages.page, length: pages.length ?? 0n, ...marks() });
-        first = top.row * BigInt(rows.columns);
-        const { row } = lastTop(scale());
-        const size = Number(within((visibleRows() * 1000n) / (scale().rows || 1n), 0n, 1000n)) / 1000;
-        bar.show({ part: ratio(top.row, row), size, needed: size < 1 || row > 0n || top.row > 0n });
-        showWhere(pages, first, first + visibleRows() * BigInt(rows.columns));
-    }
-
-    /** @param {Top} next */
-    function moveTo(next) {
-        top = next;
-        show();
-        fetchMissing();
-    }
-
-    /** @param {number} part of the string, from 0 to 1 */
-    function goToPart(part) {
-        const last = lastTop(scale());
-        moveTo(part >= 1 ? last : { row: portion(last.row, part), offset: 0 });
-    }
-
-    /** @param {number} pixels down */
-    const scroll = (pixels) => pages.length !== null && moveTo(scrolled(top, pixels, scale()));
-
-    /** Scrolls a symbol into view, into the middle unless it is visible. @param {bigint} index */
-    function reveal(index) {
-        const next = revealed(top, index / BigInt(rows.columns), scale());
-        if (next !== top) moveTo(next);
-    }
-
-    /** The area was resized or shown. */
-    function measure() {
-        if (!open()) return;
-        const before = rows.columns;
-        rows.measure();
-        rows.fit(pages.symbols, true);
-        if (rows.columns !== before) top = { row: first / BigInt(rows.columns), offset: 0 };
-        clamp();
-        show();
-        fetchMissing();
-    }
-
-    listenToGestures(area, rows, {
-        scroll,
+    listenToGestures(area, self.rows, {
+        scroll: (pixels) => scroll(self, pixels),
         click: (index) => pages.length !== null && index < pages.length && choose(index),
     });
-    new ResizeObserver(measure).observe(area);
+    new ResizeObserver(() => measure(self)).observe(area);
 
     return {
         pages,
         get first() {
-            return first;
+            return self.first;
         },
         /** The fraction of the string before the window, from 0 to 1. */
         get part() {
-            return ratio(top.row, lastTop(scale()).row);
+            return ratio(self.top.row, lastTop(scale(self)).row);
         },
-        show,
-        fetchMissing,
-        reveal,
-        scroll,
-        goToPart,
-        measure,
+        show: () => show(self),
+        fetchMissing: () => fetchMissing(self),
+        reveal: (/** @type {bigint} */ index) => reveal(self, index),
+        scroll: (/** @type {number} */ pixels) => scroll(self, pixels),
+        goToPart: (/** @type {number} */ part) => goToPart(self, part),
+        measure: () => measure(self),
 
         /** The loaded symbol at a place in the window. @param {number} clientX @param {number} clientY @returns {bigint | null} */
         symbolUnder(clientX, clientY) {
-            const index = rows.symbolAt(clientX, clientY);
+            const index = self.rows.symbolAt(clientX, clientY);
             return index !== null && pages.symbolAt(index) !== undefined ? index : null;
         },
 
         /** The distance that a key scrolls, in CSS pixels. @param {KeyboardEvent} event @returns {number | undefined} */
         scrollOf({ key, shiftKey }) {
-            const sheet = rows.height - rows.rowHeight;
+            const sheet = self.rows.ruler.height - self.rows.ruler.rowHeight;
             return {
-                ArrowDown: rows.rowHeight,
-                ArrowUp: -rows.rowHeight,
+                ArrowDown: self.rows.ruler.rowHeight,
+                ArrowUp: -self.rows.ruler.rowHeight,
                 PageDown: sheet,
                 PageUp: -sheet,
                 ' ': shiftKey ? -sheet : sheet,
             }[key];
         },
     };
+}
+
+/** @param {Window} self */
+const scale = (self) => ({
+    rows: rowsOf(self.pages.length ?? 0n, self.rows.columns),
+    rowHeight: self.rows.ruler.rowHeight,
+    height: self.rows.ruler.height,
+});
+
+/** @param {Window} self */
+const visibleRows = (self) => BigInt(Math.ceil(self.rows.ruler.height / self.rows.ruler.rowHeight));
+
+/** @param {Window} self @param {import('./pages.js').Arrived} page */
+function receive(self, { another, readable, full }) {
+    const before = BigInt(self.rows.columns);
+    // Modules with arguments may be wider than the former symbols.
+    const changed = self.rows.fit(self.pages.symbols, another);
+    if (changed) self.top = { row: (self.top.row * before) / BigInt(self.rows.columns), offset: 0 };
+    clamp(self);
+    const { chosen } = self.marks();
+    if (changed && chosen !== null) reveal(self, chosen);
+    show(self);
+    // The window may need more symbols than the page has.
+    if (readable && (changed || full)) fetchMissing(self);
+    self.arrived();
+}
+
+/** Keeps the window within the string. @param {Window} self */
+function clamp(self) {
+    if (self.pages.length !== null) self.top = scrolled(self.top, 0, scale(self));
+}
+
+/** Fetches the visible symbols unless they are loaded. @param {Window} self */
+function fetchMissing(self) {
+    if (!self.open() || self.rows.ruler.height === 0) return;
+    const columns = BigInt(self.rows.columns);
+    const count = visibleRows(self) + 1n;
+    if (self.pages.holds(self.top.row * columns, (self.top.row + count) * columns)) return;
+    const start = self.top.row > SPARE ? (self.top.row - SPARE) * columns : 0n;
+    self.pages.fetch(start, Number((count + 2n * SPARE) * columns));
+}
+
+/** @param {Window} self */
+function show(self) {
+    if (!self.open()) return;
+    self.rows.show({ top: self.top, page: self.pages.page, length: self.pages.length ?? 0n, ...self.marks() });
+    self.first = self.top.row * BigInt(self.rows.columns);
+    const { row } = lastTop(scale(self));
+    const size = Number(within((visibleRows(self) * 1000n) / (scale(self).rows || 1n), 0n, 1000n)) / 1000;
+    self.bar.show({ part: ratio(self.top.row, row), size, needed: size < 1 || row > 0n || self.top.row > 0n });
+    showWhere(self.pages, self.first, self.first + visibleRows(self) * BigInt(self.rows.columns));
+}
+
+/** @param {Window} self @param {Top} next */
+function moveTo(self, next) {
+    self.top = next;
+    show(self);
+    fetchMissing(self);
+}
+
+/** @param {Window} self @param {number} part of the string, from 0 to 1 */
+function goToPart(self, part) {
+    const last = lastTop(scale(self));
+    moveTo(self, part >= 1 ? last : { row: portion(last.row, part), offset: 0 });
+}
+
+/** @param {Window} self @param {number} pixels down */
+const scroll = (self, pixels) => self.pages.length !== null && moveTo(self, scrolled(self.top, pixels, scale(self)));
+
+/** Scrolls a symbol into view, into the middle unless it is visible. @param {Window} self @param {bigint} index */
+function reveal(self, index) {
+    const next = revealed(self.top, index / BigInt(self.rows.columns), scale(self));
+    if (next !== self.top) moveTo(self, next);
+}
+
+/** The area was resized or shown. @param {Window} self */
+function measure(self) {
+    if (!self.open()) return;
+    const before = self.rows.columns;
+    self.rows.ruler.measure();
+    self.rows.fit(self.pages.symbols, true);
+    if (self.rows.columns !== before) self.top = { row: self.first / BigInt(self.rows.columns), offset: 0 };
+    clamp(self);
+    show(self);
+    fetchMissing(self);
 }
 
 /** Shows which symbols are visible. @param {ReturnType<typeof createPages>} pages @param {bigint} first @param {bigint} end */

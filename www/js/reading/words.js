@@ -1,7 +1,7 @@
 /** The origin of a symbol and the pose of the turtle, in words. Pure functions. */
 
-import { grouped, listed, marked, plain, raised } from '../numerals.js';
-import { say } from '../words.js';
+import { grouped, listed, marked, plain, raised } from '../base/numerals.js';
+import { say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../protocol.js').SegmentFacts} SegmentFacts */

@@ -1,8 +1,9 @@
 /** The choices of the save dialog as values: what a file is for, its format, and the format's options. */
 
-import { decimal } from '../numerals.js';
+import { decimal } from '../base/numerals.js';
 import { FILE_OPTIONS, FORMATS, PURPOSES, SHEETS } from '../late-tables.js';
-import { counted, say } from '../words.js';
+import { createSettings } from '../state/rows.js';
+import { counted, say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {keyof typeof PURPOSES} Purpose */
@@ -155,9 +156,15 @@ export function sizeWords(bytes) {
     return power === 1 ? say`${text} kB` : power === 2 ? say`${text} MB` : say`${text} GB`;
 }
 
-/** The choices of the last time, as far as the browser stores them. @param {import('../storage.js').SafeStorage} storage @param {readonly CustomRow[]} custom */
+/** The choices of the last time, as far as the browser stores them. @param {import('../state/storage.js').SafeStorage} storage @param {readonly CustomRow[]} custom */
 export function rememberedChoices(storage, custom) {
     const groups = groupsOf(custom);
-    const choices = choicesFrom(storage.read(KEY), groups);
-    return { groups, choices, remember: () => storage.write(KEY, choices) };
+    const choices = choicesFrom(undefined, groups);
+    const settings = createSettings(storage, KEY, take);
+    function take() {
+        Object.assign(choices, choicesFrom(settings.read(), groups));
+        settings.show(choices);
+    }
+    take();
+    return { groups, choices, remember: () => settings.write(choices) };
 }

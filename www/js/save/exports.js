@@ -1,13 +1,16 @@
-/** Files of systems, made by the tool `export`. Its worker starts with the first file, and ends when it is not needed or a file is cancelled. */
+/** Files of systems, made by the tools `export` and `picture`. Their workers start with the first file, and end when they are not needed or a file is cancelled. */
 
-import { createTool } from '../tool.js';
+import { FORMATS } from '../late-tables.js';
+import { createTool } from '../engine/tool.js';
 
 /** @typedef {import('../protocol.js').ExportCalls['file']['asked']} Asked */
 /** `blob` is the file, or null if a limit was exceeded or the definition has errors. @typedef {{blob: Blob | null, diagnostics: import('../protocol.js').Diagnostic[]}} Exported */
 
 export function createExports() {
     /** @type {ReturnType<typeof createTool<import('../protocol.js').ExportCalls>>} */
-    const tool = createTool('export', { isStraight: true });
+    const files = createTool('export', { isStraight: true });
+    /** @type {ReturnType<typeof createTool<import('../protocol.js').PictureCalls>>} */
+    const pictures = createTool('picture', { isStraight: true });
 
     return {
         /**
@@ -26,14 +29,17 @@ export function createExports() {
                 size += piece.size;
                 progress?.(size, piece);
             };
-            const { complete, diagnostics } = await tool.call('file', asked, {
-                ...(signal && { signal }),
-                progress: take,
-            });
+            const options = { ...(signal && { signal }), progress: take };
+            const { complete, diagnostics } = await (FORMATS[asked.format].content === 'pixels'
+                ? pictures.call('pixels', asked, options)
+                : files.call('file', asked, options));
             return { blob: complete ? new Blob(pieces) : null, diagnostics };
         },
 
-        /** Ends the tool's worker, which keeps the memory of its largest file. */
-        leave: tool.leave,
+        /** Ends the tools' workers, which keep the memory of their largest files. */
+        leave() {
+            files.leave();
+            pictures.leave();
+        },
     };
 }

@@ -3,6 +3,8 @@
  * before the reader has asked for it is given up, and made anew when it is saved.
  */
 
+import { reasonOf } from '../base/words.js';
+
 /** @typedef {import('./save-file.js').FileWanted} FileWanted */
 /** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
 
@@ -77,7 +79,7 @@ export function createMaking(make, changed) {
             // The class of the error would not tell: this module may have been loaded apart from the tool's.
             if (run.control.signal.aborted)
                 return run.made.state === 'large' ? run.made : tell(run, { state: 'cancelled' });
-            return tell(run, { state: 'failed', reason: error instanceof Error ? error.message : String(error) });
+            return tell(run, { state: 'failed', reason: reasonOf(error) });
         }
     }
 

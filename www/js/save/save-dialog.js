@@ -7,13 +7,13 @@
  */
 
 import styles from '../../css/saving.css';
-import { announce, toast } from '../announce.js';
+import { announce, toast } from '../base/announce.js';
 import { listProblems } from '../controls/editor.js';
-import { button, byId, closes, html, make, setText } from '../dom.js';
-import { download, fileName } from '../download.js';
-import { addElements } from '../late.js';
+import { button, byId, closes, html, make, setText } from '../base/dom.js';
+import { download, fileName } from '../base/download.js';
+import { addElements } from '../base/late.js';
 import { FORMATS } from '../late-tables.js';
-import { said, say } from '../words.js';
+import { said, say } from '../base/words.js';
 import { pixelSize, posterSides, posterValues, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
 import { optionFields } from './fields.js';
 import { createMaking } from './making.js';
@@ -44,8 +44,30 @@ const notMade = (reason) => ({
 });
 
 /**
+ * The dialog and its choices.
+ * @typedef {object} SaveDialog
+ * @property {import('../state/store.js').Store} store
+ * @property {() => import('../protocol.js').Canvas} canvas
+ * @property {readonly import('./choices.js').CustomRow[]} custom
+ * @property {HTMLDialogElement} dialog
+ * @property {HTMLButtonElement} save
+ * @property {HTMLButtonElement} stop
+ * @property {HTMLProgressElement} bar
+ * @property {ReturnType<typeof import('./choices.js').rememberedChoices>['choices']} choices
+ * @property {ReturnType<typeof import('./choices.js').rememberedChoices>['groups']} groups
+ * @property {() => void} remember
+ * @property {ReturnType<typeof createPreview>} preview
+ * @property {ReturnType<typeof createMaking>} making
+ * @property {ReturnType<typeof optionFields>} fields
+ * @property {number} timer
+ * @property {boolean} isOwnChoice Whether the reader has chosen a format while the dialog is open
+ * @property {boolean} isSaving Whether the reader waits for the file
+ * @property {Map<Purpose, {name: string, why: string}>} advised By purpose, the format that is taken for this drawing in place of the remembered one, and why
+ */
+
+/**
  * @param {object} page
- * @param {import('../store.js').Store} page.store
+ * @param {import('../state/store.js').Store} page.store
  * @param {ReturnType<typeof import('./choices.js').rememberedChoices>} page.remembered
  * @param {ReturnType<typeof import('./exports.js').createExports>} page.exports
  * @param {ReturnType<typeof import('./save-file.js').createSaveFile>} page.files
@@ -54,258 +76,286 @@ const notMade = (reason) => ({
  */
 export function createSaveDialog({ store, remembered, exports, files, canvas, custom }) {
     addElements(markup, [styles]);
-    const dialog = byId('save-dialog', HTMLDialogElement);
-    const save = button('save-now');
-    const stop = button('save-stop');
-    const bar = byId('save-bar', HTMLProgressElement);
+
     const { choices, groups, remember } = remembered;
     /** The picture of the drawing, made once while the dialog is open. @type {Promise<Blob> | null} */
     let picture = null;
-    const preview = createPreview(html('save-preview'), {
-        shown: () => (picture ??= files.small(PREVIEW)),
-        fitted: files.fitted,
-    });
-    const making = createMaking(files.make, changed);
-    const fields = optionFields({ canvas, choose: chooseValue });
-    let timer = 0;
-    /** Whether the reader has chosen a format while the dialog is open. */
-    let isOwnChoice = false;
-    /** Whether the reader waits for the file. */
-    let isSaving = false;
 
-    /** By purpose, the format that is taken for this drawing in place of the remembered one, and why. @type {Map<Purpose, {name: string, why: string}>} */
-    const advised = new Map();
-
-    function chosenRow() {
-        const advice = advised.get(choices.purpose);
-        return rowOf(
-            advice ? { ...choices, formats: { ...choices.formats, [choices.purpose]: advice.name } } : choices,
-            groups,
-        );
-    }
-
-    /** The chosen format; null for a custom row. */
-    function format() {
-        const { name } = chosenRow();
-        return name in FORMATS ? /** @type {import('../protocol.js').Format} */ (name) : null;
-    }
-
-    /** What is wanted, if a format is chosen. */
-    function wanted() {
-        const name = format();
-        if (!name) return null;
-        const values = valuesFor(name, choices);
-        return { format: name, values: isPoster() ? { ...values, ...posterValues(choices.poster) } : values };
-    }
-
-    const isPoster = () => choices.purpose === 'print' && format() === 'png';
-
-    /** A radio button as a tile. @param {string} group @param {string} value @param {() => void} choose @param {...(Node | string)} words */
-    function tile(group, value, choose, ...words) {
-        const radio = make('input', { type: 'radio', name: group, value, class: 'unseen' });
-        radio.addEventListener('change', choose);
-        return make('label', { class: 'save-tile' }, radio, ...words);
-    }
+    const making = createMaking(files.make, (made) => changed(self, made));
+    const fields = optionFields({ canvas, choose: (name, value) => chooseValue(self, name, value) });
+    /** @type {SaveDialog} */
+    const self = {
+        store,
+        canvas,
+        custom,
+        dialog: byId('save-dialog', HTMLDialogElement),
+        save: button('save-now'),
+        stop: button('save-stop'),
+        bar: byId('save-bar', HTMLProgressElement),
+        choices,
+        groups,
+        remember,
+        preview: createPreview(html('save-preview'), {
+            shown: () => (picture ??= files.small(PREVIEW)),
+            fitted: files.fitted,
+        }),
+        making,
+        fields,
+        timer: 0,
+        isOwnChoice: false,
+        isSaving: false,
+        advised: new Map(),
+    };
 
     const purposes = groups.map(({ purpose, label }) =>
-        tile('save-purpose', purpose, () => choosePurpose(purpose), make('span', {}, said(label))),
+        tile('save-purpose', purpose, () => choosePurpose(self, purpose), make('span', {}, said(label))),
     );
     html('save-purposes').replaceChildren(...purposes);
 
-    function showRows() {
-        const { rows } = groups.find(({ purpose }) => purpose === choices.purpose) ?? { rows: [] };
-        const chosen = chosenRow();
-        html('save-formats').replaceChildren(
-            ...rows.map(({ name, label, help }) =>
-                tile(
-                    'save-format',
-                    name,
-                    () => chooseFormat(name),
-                    make('span', { class: 'save-label' }, said(label)),
-                    make('span', { class: 'save-help' }, said(help)),
-                ),
-            ),
-        );
-        for (const radio of dialog.querySelectorAll('input[type=radio]')) {
-            if (radio instanceof HTMLInputElement)
-                radio.checked = radio.value === (radio.name === 'save-purpose' ? choices.purpose : chosen.name);
-        }
-        showOptions();
-    }
-
-    function showOptions() {
-        const name = format();
-        const names = name ? FORMATS[name].options : [];
-        const own = isPoster() ? names.filter((each) => each !== 'size' && each !== 'dpi') : names;
-        html('save-options').replaceChildren(
-            ...(isPoster() ? fields.poster(choices.poster, choosePoster) : []),
-            ...(name ? fields.of(own, choices.values) : []),
-        );
-        setText(html('save-advice'), advised.get(choices.purpose)?.why ?? '');
-        html('save-options-set').hidden = names.length === 0;
-        const custom = customRow();
-        setText(save, custom ? custom.action : say`Save`);
-        setText(html('save-name'), name ? savedName(fileName(store.state), name) : '');
-        refresh(0);
-    }
-
-    const customRow = () => custom.find(({ name }) => name === chosenRow().name);
-
-    /** @param {Purpose} purpose */
-    function choosePurpose(purpose) {
-        choices.purpose = purpose;
-        remember();
-        showRows();
-    }
-
-    /** @param {string} name */
-    function chooseFormat(name) {
-        choices.formats[choices.purpose] = name;
-        advised.delete(choices.purpose);
-        isOwnChoice = true;
-        remember();
-        showOptions();
-    }
-
-    /** @param {Partial<import('./choices.js').Poster>} changed */
-    function choosePoster(changed) {
-        Object.assign(choices.poster, changed);
-        remember();
-        refresh(PAUSE);
-    }
-
-    /** Takes a picture of pixels where strokes lose what the drawing shows. */
-    function advise() {
-        advised.clear();
-        if (store.state.ink === 'density' && isStrokes(rowOf({ ...choices, purpose: 'screen' }, groups).name))
-            advised.set('screen', {
-                name: 'png',
-                why: say`PNG, because files of strokes lose the glow of additive ink.`,
-            });
-    }
-
-    /** Tells which formats can hold a drawing that has too many segments for a file of strokes, and takes one. @param {string} name @param {Made} made */
-    function adviseAfter(name, { diagnostics }) {
-        if (!isStrokes(name) || diagnostics.some(({ field }) => field !== 'numbers' && field !== 'file')) return '';
-        if (choices.purpose !== 'screen') return say`Under Screen, PNG holds every drawing, and Compact SVG most.`;
-        const why = say`PNG holds every drawing, and Compact SVG most.`;
-        if (isOwnChoice) return why;
-        advised.set('screen', {
-            name: 'png',
-            why: `${say`PNG, because ${said(FORMATS.svg.label)} would be too large.`} ${why}`,
-        });
-        showRows();
-        return null;
-    }
-
-    /** @param {string} name @param {import('./choices.js').Value} value */
-    function chooseValue(name, value) {
-        choices.values[name] = value;
-        remember();
-        refresh(PAUSE);
-    }
-
-    /** Makes the file anew, after a pause. @param {number} pause */
-    function refresh(pause) {
-        clearTimeout(timer);
+    self.save.addEventListener('click', () => saveNow(self));
+    self.stop.addEventListener('click', () => {
         making.cancel();
-        setSaving(false);
-        listProblems(html('save-problems'), []);
-        setText(html('save-size'), '');
-        timer = window.setTimeout(() => {
-            const what = wanted();
-            if (!what) return preview.showDrawing();
-            // A large picture takes long, so it is made when it is saved.
-            if (FORMATS[what.format].content === 'pixels') {
-                setText(html('save-size'), say`${pixelSize(what.values['size'], canvas()).replace('x', ' × ')} pixels`);
-                if (isPoster()) return preview.showPoster(posterSides(choices.poster));
-                return void preview.show(what.format, what.values, null);
-            }
-            making.show(what);
-        }, pause);
-    }
-
-    /** @param {Made} made */
-    function changed(made) {
-        const name = format();
-        if (!name) return;
-        const { state, size, diagnostics, reason } = made;
-        if (state === 'making')
-            setText(html('save-size'), size > 0 ? say`${sizeWords(size)} so far` : say`Making the file…`);
-        else if (state === 'made') setText(html('save-size'), sizeWords(size));
-        else if (state === 'large') setText(html('save-size'), say`More than ${sizeWords(size)}`);
-        else setText(html('save-size'), '');
-        if (state !== 'making') {
-            if (state === 'failed') {
-                const advice = adviseAfter(name, made);
-                if (advice === null) return;
-                setText(html('save-advice'), advice);
-            }
-            const told = state === 'failed' && diagnostics.length === 0 ? [notMade(reason)] : diagnostics;
-            listProblems(html('save-problems'), told);
-            if (told[0]) announce(told[0].message);
-        }
-        if (state !== 'cancelled') preview.show(name, choices.values, made);
-    }
-
-    /** @param {boolean} saving */
-    function setSaving(saving) {
-        isSaving = saving;
-        bar.hidden = !saving;
-        stop.hidden = !saving;
-        save.disabled = saving;
-        dialog.setAttribute('aria-busy', String(saving));
-    }
-
-    async function saveNow() {
-        const own = customRow();
-        if (own) {
-            dialog.close();
-            return own.open();
-        }
-        const what = wanted();
-        if (!what || isSaving) return;
-        clearTimeout(timer);
-        setSaving(true);
-        const { state, blob, diagnostics } = await making.whole(what);
-        if (!isSaving || state === 'cancelled') return;
-        setSaving(false);
-        if (!blob) return;
-        download(blob, savedName(fileName(store.state), what.format));
-        if (!dialog.open) return;
-        dialog.close();
-        // A remark about the file, such as that it opens slowly.
-        const [remark] = diagnostics;
-        toast(remark ? [remark.message, remark.hint].filter(Boolean).join(' ') : say`Saved, ${sizeWords(blob.size)}`);
-    }
-
-    save.addEventListener('click', saveNow);
-    stop.addEventListener('click', () => {
-        making.cancel();
-        setSaving(false);
+        setSaving(self, false);
         setText(html('save-size'), say`Cancelled`);
-        save.focus();
+        self.save.focus();
     });
-    closes(dialog, 'close-save');
-    button('save-cancel').addEventListener('click', () => dialog.close());
-    dialog.addEventListener('close', () => {
-        clearTimeout(timer);
+    closes(self.dialog, 'close-save');
+    button('save-cancel').addEventListener('click', () => self.dialog.close());
+    self.dialog.addEventListener('close', () => {
+        clearTimeout(self.timer);
         making.cancel();
-        setSaving(false);
-        preview.forget();
+        setSaving(self, false);
+        self.preview.forget();
         picture = null;
         exports.leave();
     });
 
     return {
         open() {
-            if (dialog.open) return;
-            isOwnChoice = false;
-            advise();
-            showRows();
-            dialog.showModal();
-            const chosen = dialog.querySelector('input[name=save-purpose]:checked');
+            if (self.dialog.open) return;
+            self.isOwnChoice = false;
+            advise(self);
+            showRows(self);
+            self.dialog.showModal();
+            const chosen = self.dialog.querySelector('input[name=save-purpose]:checked');
             if (chosen instanceof HTMLElement) chosen.focus();
         },
     };
+}
+
+/** @param {SaveDialog} self */
+function chosenRow(self) {
+    const advice = self.advised.get(self.choices.purpose);
+    return rowOf(
+        advice
+            ? { ...self.choices, formats: { ...self.choices.formats, [self.choices.purpose]: advice.name } }
+            : self.choices,
+        self.groups,
+    );
+}
+
+/** The chosen format; null for a custom row. @param {SaveDialog} self */
+function format(self) {
+    const { name } = chosenRow(self);
+    return name in FORMATS ? /** @type {import('../protocol.js').Format} */ (name) : null;
+}
+
+/** What is wanted, if a format is chosen. @param {SaveDialog} self */
+function wanted(self) {
+    const name = format(self);
+    if (!name) return null;
+    const values = valuesFor(name, self.choices);
+    return { format: name, values: isPoster(self) ? { ...values, ...posterValues(self.choices.poster) } : values };
+}
+
+/** @param {SaveDialog} self */
+const isPoster = (self) => self.choices.purpose === 'print' && format(self) === 'png';
+
+/** A radio button as a tile. @param {string} group @param {string} value @param {() => void} choose @param {...(Node | string)} words */
+function tile(group, value, choose, ...words) {
+    const radio = make('input', { type: 'radio', name: group, value, class: 'unseen' });
+    radio.addEventListener('change', choose);
+    return make('label', { class: 'save-tile' }, radio, ...words);
+}
+
+/** @param {SaveDialog} self */
+function showRows(self) {
+    const { rows } = self.groups.find(({ purpose }) => purpose === self.choices.purpose) ?? { rows: [] };
+    const chosen = chosenRow(self);
+    html('save-formats').replaceChildren(
+        ...rows.map(({ name, label, help }) =>
+            tile(
+                'save-format',
+                name,
+                () => chooseFormat(self, name),
+                make('span', { class: 'save-label' }, said(label)),
+                make('span', { class: 'save-help' }, said(help)),
+            ),
+        ),
+    );
+    for (const radio of self.dialog.querySelectorAll('input[type=radio]')) {
+        if (radio instanceof HTMLInputElement)
+            radio.checked = radio.value === (radio.name === 'save-purpose' ? self.choices.purpose : chosen.name);
+    }
+    showOptions(self);
+}
+
+/** @param {SaveDialog} self */
+function showOptions(self) {
+    const name = format(self);
+    const names = name ? FORMATS[name].options : [];
+    const own = isPoster(self) ? names.filter((each) => each !== 'size' && each !== 'dpi') : names;
+    html('save-options').replaceChildren(
+        ...(isPoster(self) ? self.fields.poster(self.choices.poster, (changed) => choosePoster(self, changed)) : []),
+        ...(name ? self.fields.of(own, self.choices.values) : []),
+    );
+    setText(html('save-advice'), self.advised.get(self.choices.purpose)?.why ?? '');
+    html('save-options-set').hidden = names.length === 0;
+    const custom = customRow(self);
+    setText(self.save, custom ? custom.action : say`Save`);
+    setText(html('save-name'), name ? savedName(fileName(self.store.state), name) : '');
+    refresh(self, 0);
+}
+
+/** @param {SaveDialog} self */
+const customRow = (self) => self.custom.find(({ name }) => name === chosenRow(self).name);
+
+/** @param {SaveDialog} self @param {Purpose} purpose */
+function choosePurpose(self, purpose) {
+    self.choices.purpose = purpose;
+    self.remember();
+    showRows(self);
+}
+
+/** @param {SaveDialog} self @param {string} name */
+function chooseFormat(self, name) {
+    self.choices.formats[self.choices.purpose] = name;
+    self.advised.delete(self.choices.purpose);
+    self.isOwnChoice = true;
+    self.remember();
+    showOptions(self);
+}
+
+/** @param {SaveDialog} self @param {Partial<import('./choices.js').Poster>} changed */
+function choosePoster(self, changed) {
+    Object.assign(self.choices.poster, changed);
+    self.remember();
+    refresh(self, PAUSE);
+}
+
+/** Takes a picture of pixels where strokes lose what the drawing shows. @param {SaveDialog} self */
+function advise(self) {
+    self.advised.clear();
+    if (
+        self.store.state.ink === 'density' &&
+        isStrokes(rowOf({ ...self.choices, purpose: 'screen' }, self.groups).name)
+    )
+        self.advised.set('screen', {
+            name: 'png',
+            why: say`PNG, because files of strokes lose the glow of additive ink.`,
+        });
+}
+
+/**
+ * Tells which formats can hold a drawing that has too many segments for a file of strokes, and takes one.
+ * @param {SaveDialog} self
+ * @param {string} name
+ * @param {Made} made
+ */
+function adviseAfter(self, name, { diagnostics }) {
+    if (!isStrokes(name) || diagnostics.some(({ field }) => field !== 'numbers' && field !== 'file')) return '';
+    if (self.choices.purpose !== 'screen') return say`Under Screen, PNG holds every drawing, and Compact SVG most.`;
+    const why = say`PNG holds every drawing, and Compact SVG most.`;
+    if (self.isOwnChoice) return why;
+    self.advised.set('screen', {
+        name: 'png',
+        why: `${say`PNG, because ${said(FORMATS.svg.label)} would be too large.`} ${why}`,
+    });
+    showRows(self);
+    return null;
+}
+
+/** @param {SaveDialog} self @param {string} name @param {import('./choices.js').Value} value */
+function chooseValue(self, name, value) {
+    self.choices.values[name] = value;
+    self.remember();
+    refresh(self, PAUSE);
+}
+
+/** Makes the file anew, after a pause. @param {SaveDialog} self @param {number} pause */
+function refresh(self, pause) {
+    clearTimeout(self.timer);
+    self.making.cancel();
+    setSaving(self, false);
+    listProblems(html('save-problems'), []);
+    setText(html('save-size'), '');
+    self.timer = window.setTimeout(() => {
+        const what = wanted(self);
+        if (!what) return self.preview.showDrawing();
+        // A large picture takes long, so it is made when it is saved.
+        if (FORMATS[what.format].content === 'pixels') {
+            setText(
+                html('save-size'),
+                say`${pixelSize(what.values['size'], self.canvas()).replace('x', ' × ')} pixels`,
+            );
+            if (isPoster(self)) return self.preview.showPoster(posterSides(self.choices.poster));
+            return void self.preview.show(what.format, what.values, null);
+        }
+        self.making.show(what);
+    }, pause);
+}
+
+/** @param {SaveDialog} self @param {Made} made */
+function changed(self, made) {
+    const name = format(self);
+    if (!name) return;
+    const { state, size, diagnostics, reason } = made;
+    if (state === 'making')
+        setText(html('save-size'), size > 0 ? say`${sizeWords(size)} so far` : say`Making the file…`);
+    else if (state === 'made') setText(html('save-size'), sizeWords(size));
+    else if (state === 'large') setText(html('save-size'), say`More than ${sizeWords(size)}`);
+    else setText(html('save-size'), '');
+    if (state !== 'making') {
+        if (state === 'failed') {
+            const advice = adviseAfter(self, name, made);
+            if (advice === null) return;
+            setText(html('save-advice'), advice);
+        }
+        const told = state === 'failed' && diagnostics.length === 0 ? [notMade(reason)] : diagnostics;
+        listProblems(html('save-problems'), told);
+        if (told[0]) announce(told[0].message);
+    }
+    if (state !== 'cancelled') self.preview.show(name, self.choices.values, made);
+}
+
+/** @param {SaveDialog} self @param {boolean} saving */
+function setSaving(self, saving) {
+    self.isSaving = saving;
+    self.bar.hidden = !saving;
+    self.stop.hidden = !saving;
+    self.save.disabled = saving;
+    self.dialog.setAttribute('aria-busy', String(saving));
+}
+
+/** @param {SaveDialog} self */
+async function saveNow(self) {
+    const own = customRow(self);
+    if (own) {
+        self.dialog.close();
+        return own.open();
+    }
+    const what = wanted(self);
+    if (!what || self.isSaving) return;
+    clearTimeout(self.timer);
+    setSaving(self, true);
+    const { state, blob, diagnostics } = await self.making.whole(what);
+    if (!self.isSaving || state === 'cancelled') return;
+    setSaving(self, false);
+    if (!blob) return;
+    download(blob, savedName(fileName(self.store.state), what.format));
+    if (!self.dialog.open) return;
+    self.dialog.close();
+    // A remark about the file, such as that it opens slowly.
+    const [remark] = diagnostics;
+    toast(remark ? [remark.message, remark.hint].filter(Boolean).join(' ') : say`Saved, ${sizeWords(blob.size)}`);
 }

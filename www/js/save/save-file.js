@@ -1,9 +1,9 @@
 /** Makes a file of a state by the tool `export`, and small pictures for its preview. */
 
-import { byId, make } from '../dom.js';
-import { definitionOf } from '../state.js';
+import { byId, make } from '../base/dom.js';
+import { definitionOf } from '../state/state.js';
 import { FORMATS } from '../late-tables.js';
-import { say } from '../words.js';
+import { say } from '../base/words.js';
 import { pixelSize, sizeOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
@@ -11,8 +11,8 @@ import { pixelSize, sizeOf } from './choices.js';
 
 /**
  * @param {object} page
- * @param {import('../store.js').Store} page.store
- * @param {import('../engine.js').Engine} page.engine
+ * @param {import('../state/store.js').Store} page.store
+ * @param {import('../engine/engine.js').Engine} page.engine
  * @param {ReturnType<typeof import('./exports.js').createExports>} page.exports
  * @param {() => import('../protocol.js').Canvas} page.canvas
  */

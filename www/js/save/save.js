@@ -1,8 +1,8 @@
 /** Saving: the dialog, and files saved at once with the options last chosen. */
 
-import { toast } from '../announce.js';
-import { download, fileName } from '../download.js';
-import { say } from '../words.js';
+import { toast } from '../base/announce.js';
+import { download, fileName } from '../base/download.js';
+import { reasonOf, say } from '../base/words.js';
 import { rememberedChoices, savedName, valuesFor } from './choices.js';
 import { createExports } from './exports.js';
 import { createSaveDialog } from './save-dialog.js';
@@ -10,7 +10,7 @@ import { createSaveFile } from './save-file.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 
-/** @param {import('../dialogs.js').Page} page */
+/** @param {import('../dialogs/dialogs.js').Page} page */
 export function createSave({ store, engine, storage, stage, open }) {
     /** Dialogs of their own, which appear among the formats. @type {import('./choices.js').CustomRow[]} */
     const custom = [
@@ -47,7 +47,7 @@ export function createSave({ store, engine, storage, stage, open }) {
                 // A remark about the file, such as that it opens slowly.
                 if (words) toast(words);
             } catch (error) {
-                toast(say`Not saved: ${String(error instanceof Error ? error.message : error)}.`);
+                toast(say`Not saved: ${reasonOf(error)}.`);
             } finally {
                 exports.leave();
             }

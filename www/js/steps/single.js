@@ -1,8 +1,8 @@
 /** All symbols at once, as in an L-system, beside one symbol at a time, as in a grammar of Chomsky. */
 
-import { byId, html, make } from '../dom.js';
-import { grouped } from '../numerals.js';
-import { say } from '../words.js';
+import { byId, html, make } from '../base/dom.js';
+import { grouped } from '../base/numerals.js';
+import { say } from '../base/words.js';
 
 /** The most steps in the table. */
 const MOST = 24;
@@ -12,7 +12,7 @@ const SHOWN = 48;
 const PAUSE = 900;
 
 /**
- * @param {import('./steps.js').CourseTool} tool
+ * @param {import('./steps.js').StudyTool} tool
  * @returns {import('./steps.js').Part}
  */
 export function createSingle(tool) {

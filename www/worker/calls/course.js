@@ -1,4 +1,4 @@
-/** Calls for exercises and comparisons. */
+/** Calls for exercises. */
 
 /** The open exercise and its text. @type {{text: string, exercise: InstanceType<typeof wasm_bindgen.OpenExercise>} | null} */
 let open = null;
@@ -13,31 +13,9 @@ function opened(text) {
     return exercise;
 }
 
-/** The answers that are being marked. @type {InstanceType<typeof wasm_bindgen.ClassMarking> | null} */
-let marking = null;
-
 /** @type {import('../tool.js').CallTable} */
 export const calls = {
-    check: ({ definition, output }) => wasm_bindgen.checkOutput(definition, output),
-    growth: ({ definition }) => wasm_bindgen.growth(definition),
-    rows: ({ definition, n, start, count }) => wasm_bindgen.stepRows(definition, n, start, count),
-    single: ({ definition, steps, rightmost }) => wasm_bindgen.oneByOne(definition, steps, rightmost),
-    trace: ({ definition, n, count }) => wasm_bindgen.turtleTrace(definition, n, count),
     variantOf: ({ text, student }) => wasm_bindgen.variantOf(text, student),
-    variantsOf: ({ exercise, varied }) => wasm_bindgen.variantsOf(exercise, varied),
-    *markClass({ exercise, text }) {
-        marking?.free();
-        marking = null;
-        marking = new wasm_bindgen.ClassMarking(exercise, text);
-        yield { about: marking.about() };
-        for (;;) {
-            const row = marking.step();
-            if (row === null) break;
-            yield { row, picture: row.percent === '' ? null : marking.picture() };
-        }
-        return { mistakes: marking.mistakes(), csv: marking.csv() };
-    },
-    write: ({ exercise }) => wasm_bindgen.writeExercise(exercise),
     open: ({ text }) => opened(text).about(),
     picture: ({ text, width, height, ratio }) => opened(text).picture(width, height, ratio),
     hint: ({ text, student }) => opened(text).hint(student) ?? null,

@@ -1,0 +1,7 @@
+/** Calls for packages for learning systems. */
+
+/** @type {import('../tool.js').CallTable} */
+export const calls = {
+    package: ({ exercises, title, standard, steps, exercise, language, catalogue }) =>
+        wasm_bindgen.makePackage(exercises, title, standard, steps, exercise, language, catalogue),
+};
