@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
+import { sampled, some } from '../effort.mjs';
 import { COLOURS, violations } from './axe.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
 import { RULES, STATES, TREE, inStates, tab } from './states.mjs';
@@ -18,6 +19,7 @@ const barriers = async (page, rules) =>
         .filter(({ impact }) => impact === 'serious' || impact === 'critical')
         .map(({ words }) => words);
 
+const ALL = Object.keys(STATES);
 /** The states that are checked in other sizes and colours. */
 const SOME = ['as it opens', 'mistakes', 'gallery'];
 
@@ -29,7 +31,7 @@ const PLAIN = { colorScheme: 'light', contrast: 'no-preference' };
  * Colours in which a state is looked at besides the plain ones. The page has the same elements and layout in all of
  * them, so only the rules about colours can find something new. @type {{name: string, media: Media, states?: string[]}[]}
  */
-const DARK = [{ name: 'dark', media: { ...PLAIN, colorScheme: 'dark' } }];
+const DARK = [{ name: 'dark', media: { ...PLAIN, colorScheme: 'dark' }, states: sampled(ALL, 4) }];
 const MORE = [
     { name: 'more contrast', media: { ...PLAIN, contrast: /** @type {const} */ ('more') }, states: SOME },
     {
@@ -42,21 +44,25 @@ const MORE = [
 /** @param {Page} page */
 const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
 
-for (const [
-    name,
-    options,
-    colours,
-    states,
-] of /** @type {[string, import('playwright-core').BrowserContextOptions, typeof DARK, string[]?][]} */ ([
-    ['desktop', DESKTOP, [...DARK, ...MORE]],
-    ['phone', PHONE, DARK.map((dark) => ({ ...dark, states: SOME }))],
-    ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, [], SOME],
-    ['zoomed to 400 %', { viewport: { width: 320, height: 256 } }, [], [...SOME, 'refused on the drawing', 'growth']],
-])) {
+for (const [name, options, colours, states] of some(
+    /** @type {[string, import('playwright-core').BrowserContextOptions, typeof DARK, string[]][]} */ ([
+        // Each state usually on one of both.
+        ['desktop', DESKTOP, [...DARK, ...MORE], sampled(ALL, 2)],
+        ['phone', PHONE, DARK.map((dark) => ({ ...dark, states: SOME })), sampled(ALL, 2, 1)],
+        ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, [], SOME],
+        [
+            'zoomed to 400 %',
+            { viewport: { width: 320, height: 256 } },
+            [],
+            [...SOME, 'refused on the drawing', 'growth'],
+        ],
+    ]),
+    2,
+)) {
     test(`axe-core finds no violation: ${[name, ...colours.map((each) => each.name)].join('; ')}`, async () => {
         await withPage({ hash: TREE, options: { ...options, ...PLAIN } }, async (page) => {
             const plain = await paper(page);
-            await inStates(page, TREE, states ?? Object.keys(STATES), async (state) => {
+            await inStates(page, TREE, states, async (state) => {
                 assert.deepEqual(await barriers(page), [], state);
                 for (const { name, media, states } of colours) {
                     if (states && !states.includes(state)) continue;
@@ -72,11 +78,13 @@ for (const [
 
 test('axe-core finds no violation: embedded, and in the course page', async () => {
     const address = `${ADDRESS}embed.html`;
-    for (const options of /** @type {import('playwright-core').BrowserContextOptions[]} */ ([
-        DESKTOP,
-        { ...DESKTOP, colorScheme: 'dark' },
-        PHONE,
-    ])) {
+    for (const options of some(
+        /** @type {import('playwright-core').BrowserContextOptions[]} */ ([
+            DESKTOP,
+            { ...DESKTOP, colorScheme: 'dark' },
+            PHONE,
+        ]),
+    )) {
         await withPage(
             { address, also: ADDRESS, hash: `${TREE}&controls=n,angle,rules,string,play`, options },
             async (page) => {
@@ -97,10 +105,10 @@ test('axe-core finds no violation: embedded, and in the course page', async () =
     });
 });
 
-for (const viewport of [
-    { width: 640, height: 400 },
+for (const viewport of some([
     { width: 320, height: 256 },
-]) {
+    { width: 640, height: 400 },
+])) {
     test(`controls on the drawing do not overlap: ${viewport.width} pixels wide`, () =>
         withPage({ hash: TREE, options: { viewport } }, async (page) => {
             await page.fill('#rules', 'A = F');
@@ -306,11 +314,13 @@ test('results and errors are announced once, after typing has paused', () =>
         },
     ));
 
-for (const [width, height] of /** @type {const} */ ([
-    [640, 400],
-    [320, 640],
-    [320, 256],
-])) {
+for (const [width, height] of some(
+    /** @type {const} */ ([
+        [320, 256],
+        [320, 640],
+        [640, 400],
+    ]),
+)) {
     test(`nothing is cut off or scrolls sideways at ${width} x ${height}`, () =>
         withPage({ hash: TREE, options: { viewport: { width, height } } }, async (page) => {
             const sideways = () =>
@@ -418,10 +428,12 @@ test('a line that was clicked stays in place while the buttons zoom, so that not
         await until(async () => /view=-/.test(page.url()), 'the link has the view');
     }));
 
-for (const [name, options] of /** @type {[string, import('playwright-core').BrowserContextOptions][]} */ ([
-    ['a small laptop', { viewport: { width: 1280, height: 657 } }],
-    ['a phone', PHONE],
-]))
+for (const [name, options] of some(
+    /** @type {[string, import('playwright-core').BrowserContextOptions][]} */ ([
+        ['a phone', PHONE],
+        ['a small laptop', { viewport: { width: 1280, height: 657 } }],
+    ]),
+))
     test(`what has the focus is never hidden behind something: ${name}`, () =>
         withPage({ hash: TREE, options }, async (page) => {
             await page.focus('#skip');

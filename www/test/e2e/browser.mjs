@@ -102,7 +102,7 @@ function count() {
     const { postMessage } = Worker.prototype;
     Worker.prototype.postMessage = function (/** @type {any[]} */ ...message) {
         const { type, id } = message[0] ?? {};
-        if (type === 'pick' || type === 'call') {
+        if (type === 'pick' || type === 'anchor' || type === 'call') {
             const open = questions.get(this) ?? new Set();
             if (!questions.has(this))
                 this.addEventListener(

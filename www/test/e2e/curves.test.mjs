@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
+import { some } from '../effort.mjs';
 import { PHONE, close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -13,10 +14,12 @@ const rules = (page) => page.inputValue('#rules');
 /** @param {import('playwright-core').Page} page @param {number} number */
 const point = (page, number) => page.getByRole('slider', { name: `Point ${number}`, exact: true });
 
-for (const [name, options] of /** @type {const} */ ([
-    ['on a desktop', undefined],
-    ['on a phone', PHONE],
-])) {
+for (const [name, options] of some(
+    /** @type {const} */ ([
+        ['on a desktop', undefined],
+        ['on a phone', PHONE],
+    ]),
+)) {
     test(`a curve is edited by its points ${name}`, () =>
         withPage({ hash: PLANT, ...(options ? { options } : {}) }, async (page) => {
             await page.waitForSelector('#curves:visible');

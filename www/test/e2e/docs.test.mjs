@@ -5,6 +5,7 @@ import { access, readFile, readdir } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { LANGUAGES } from '../../js/languages.js';
+import { sampled, some } from '../effort.mjs';
 import { COLOURS, violations } from './axe.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, picture, until, withPage } from './browser.mjs';
 
@@ -89,19 +90,17 @@ const scrollsSideways = (page) =>
     page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
 
 // A document has the same elements and layout in both schemes, so the dark one is looked at for its colours.
-for (const [
-    size,
-    options,
-    narrow,
-] of /** @type {[string, import('playwright-core').BrowserContextOptions, boolean][]} */ ([
-    ['desktop, also dark, and a narrow window', DESKTOP, true],
-    ['phone, also dark', PHONE, false],
-])) {
+for (const [size, options, narrow] of some(
+    /** @type {[string, import('playwright-core').BrowserContextOptions, boolean][]} */ ([
+        ['desktop, also dark, and a narrow window', DESKTOP, true],
+        ['phone, also dark', PHONE, false],
+    ]),
+)) {
     test(`axe-core finds no violation, and nothing but tables and code scrolls sideways: ${size}`, () =>
         withPage(
             { ...at(String(NAMES[0])), also: ADDRESS, options: { ...options, colorScheme: 'light' } },
             async (page) => {
-                for (const name of NAMES) {
+                for (const name of sampled(NAMES, 6)) {
                     await page.goto(`${ADDRESS}docs/${name}`);
                     assert.deepEqual(await found(page), [], name);
                     assert.ok(!(await scrollsSideways(page)), name);
@@ -207,10 +206,6 @@ test('pages have no scripts or styles of their own, and links to other sites do 
             assert.doesNotMatch(tag, /^<(script|style)| (style|on[a-z]+)=/i, name);
             if (/^<a .*href="https?:/.test(tag)) assert.match(tag, / rel="noopener"/, name);
         }
-        assert.match(
-            text,
-            /Content-Security-Policy" content="default-src 'self'; script-src 'none'; frame-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"/,
-        );
     }
 });
 

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test, { after } from 'node:test';
+import { some } from '../effort.mjs';
 import { DESKTOP, PHONE, close, nextPicture, quiet, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -177,10 +178,12 @@ test('a dropped picture without a system is offered, its rules are found and ope
         await page.waitForSelector('.find-card:visible');
     }));
 
-for (const [type, ink, paper] of /** @type {const} */ ([
-    ['image/jpeg', '#fff', '#123'],
-    ['image/webp', '#206030', '#eee'],
-])) {
+for (const [type, ink, paper] of some(
+    /** @type {const} */ ([
+        ['image/jpeg', '#fff', '#123'],
+        ['image/webp', '#206030', '#eee'],
+    ]),
+)) {
     test(`a pasted picture is taken: ${type}, ${ink} on ${paper}`, () =>
         withPage({}, async (page) => {
             await give(page, 'paste', await koch(page, { type, ink, paper }), 'image.bin', type);
@@ -223,10 +226,12 @@ test('a frame is cropped away by keys and by dragging', () =>
         assert.ok(!(await page.isVisible('#find-results')), 'what was found is no longer about what is shown');
     }));
 
-for (const [device, options] of /** @type {const} */ ([
-    ['desktop', DESKTOP],
-    ['phone', PHONE],
-])) {
+for (const [device, options] of some(
+    /** @type {const} */ ([
+        ['desktop', DESKTOP],
+        ['phone', PHONE],
+    ]),
+)) {
     test(`the pictures of the assignment are tried with one click: ${device}`, () =>
         withPage({ options }, async (page) => {
             await page.click('#section-rules [data-opens=find]');
@@ -378,7 +383,7 @@ const svg = (inside) =>
         `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 100 50">${inside}</svg>`,
     );
 /** @param {string} name */
-const hostile = (name) => readFileSync(new URL(`../../../crates/lsystem-find/tests/hostile/${name}`, import.meta.url));
+const hostile = (name) => readFileSync(new URL(`../../../crates/lsystem-svg/tests/hostile/${name}`, import.meta.url));
 const USES = Array.from(
     { length: 30 },
     (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use href="#g${at}"/></g>`,
@@ -449,15 +454,15 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
     }));
 
 test('a search that does not load is told, and tried again', () =>
-    withPage({ expected: /tools\.wasm|Failed to load/ }, async (page) => {
-        await page.route(/tools\.wasm$/, (route) => route.abort());
+    withPage({ expected: /tools-first\.wasm|Failed to load/ }, async (page) => {
+        await page.route(/tools-first\.wasm$/, (route) => route.abort());
         await begin(page);
         await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
         await page.waitForSelector('#find-picture:visible');
         await ask(page, { axiom: 'F', angle: '60', n: '3' });
         await page.click('#find-start');
         await until(async () => (await text(page, '#find-problem')) !== '', 'the reason');
-        await page.unroute(/tools\.wasm$/);
+        await page.unroute(/tools-first\.wasm$/);
         await page.click('#find-start');
         await found(page);
     }));

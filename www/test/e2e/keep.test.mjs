@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
+import { some } from '../effort.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, drag, quiet, ready, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -23,10 +24,7 @@ async function another(page, hash) {
 
 /** Waits until this visit is saved. @param {Page} page @param {string} part of its link */
 const kept = (page, part) =>
-    until(
-        () => page.evaluate((wanted) => localStorage.getItem('l-systems:sessions')?.includes(wanted), part),
-        `${part} is kept`,
-    );
+    until(async () => (await stored(page, 'sessions')).some(({ link }) => link.includes(part)), `${part} is kept`);
 
 /** @param {Page} page @param {string} name */
 async function keep(page, name) {
@@ -38,13 +36,21 @@ async function keep(page, name) {
 /** @param {Page} page */
 const names = (page) => page.locator('#favourite-cards .card-title').allTextContents();
 
-/** @param {Page} page */
-const stored = (page) => page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:favourites') ?? '[]'));
+/** What is kept, newest first. @param {Page} page @param {string} [key] @returns {Promise<{name: string, link: string, made: number}[]>} */
+const stored = (page, key = 'favourites') =>
+    page.evaluate((key) => {
+        const start = `l-systems:${key} `;
+        const names = Object.keys(localStorage).filter((name) => name.startsWith(start));
+        const rows = names.map((name) => JSON.parse(name.slice(start.length))).filter((row) => !row.gone);
+        return rows.sort((a, b) => b.made - a.made);
+    }, key);
 
-for (const [device, options] of /** @type {const} */ ([
-    ['desktop', DESKTOP],
-    ['phone', PHONE],
-])) {
+for (const [device, options] of some(
+    /** @type {const} */ ([
+        ['desktop', DESKTOP],
+        ['phone', PHONE],
+    ]),
+)) {
     test(`a returning reader finds the last state: ${device}`, () =>
         withPage({ options }, async (page) => {
             await page.fill('#angle', '31');
@@ -156,7 +162,7 @@ test('a reload continues the same visit, even with changes that are not yet in t
         await page.click('#reset');
         assert.equal(await page.inputValue('#angle'), '60');
         await kept(page, 'angle=60');
-        assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:sessions') ?? '').length), 1);
+        assert.equal((await stored(page, 'sessions')).length, 1);
     }));
 
 test('two tabs do not overwrite each other’s visits', () =>
@@ -183,7 +189,7 @@ test('a visit without changes is not saved', () =>
     withPage({ hash: ISLAND }, async (page) => {
         await page.click('#zoom-in');
         await quiet(700, 'the visit would be saved');
-        assert.equal(await page.evaluate(() => localStorage.getItem('l-systems:sessions')), null);
+        assert.deepEqual(await stored(page, 'sessions'), []);
     }));
 
 test('favourites are exported to one file and imported from it: chosen, opened and dropped', () =>
@@ -203,10 +209,10 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         const before = await stored(page);
         const links = (/** @type {{name: string, link: string}[]} */ list) =>
             list.map(({ name, link }) => ({ name, link }));
-        assert.match(before[1].link, /view=/);
+        assert.match(before[1]?.link ?? '', /view=/);
 
         const clear = async () => {
-            await page.evaluate(() => localStorage.removeItem('l-systems:favourites'));
+            await page.evaluate(() => localStorage.clear());
             await page.click('#close-favourites');
         };
         await clear();
@@ -240,7 +246,7 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: file });
         await until(async () => (await text(page, '#toast')).includes('Added 2'), 'opened like a system');
         assert.deepEqual(links(await stored(page)), links(before));
-        await page.evaluate(() => localStorage.removeItem('l-systems:favourites'));
+        await page.evaluate(() => localStorage.clear());
         await page.evaluate((content) => {
             const dataTransfer = new DataTransfer();
             dataTransfer.items.add(new File([content], 'mine.json'));
@@ -262,6 +268,7 @@ test('names and storage may contain anything', () =>
         assert.equal(await page.locator('#favourites img').count(), 0);
         await page.click('#close-favourites');
         await page.evaluate(() => {
+            localStorage.clear();
             localStorage.setItem(
                 'l-systems:favourites',
                 '[{"id": "a\\"]", "name": "odd", "link": "nothing"}, 7, null]',
@@ -279,10 +286,12 @@ test('names and storage may contain anything', () =>
         assert.deepEqual(await names(page), []);
     }));
 
-for (const [what, area] of /** @type {const} */ ([
-    ['refused', 'refused'],
-    ['full', 'full'],
-])) {
+for (const [what, area] of some(
+    /** @type {const} */ ([
+        ['full', 'full'],
+        ['refused', 'refused'],
+    ]),
+)) {
     test(`storage that is ${what} is no error`, () =>
         withPage(
             {
@@ -398,4 +407,44 @@ test('undo and redo cover the gallery, links, favourites, files and changes betw
         for (let step = 0; step < 5; step++) await page.click('#redo');
         assert.ok(await page.isDisabled('#redo'));
         assert.equal(await page.inputValue('#rules'), end);
+    }));
+
+test('two tabs: favourites and choices of both stay, and the other tab shows them', () =>
+    withPage({ hash: KOCH }, async (page) => {
+        const other = await another(page, ISLAND);
+        for (const tab of [page, other]) {
+            await tab.click('#tab-save');
+            await keep(tab, '');
+        }
+        await until(async () => (await text(page, '#favourites-count')) === '2', 'the number of both');
+        for (const tab of [page, other]) {
+            await tab.click('#open-favourites');
+            await tab.waitForSelector('#favourites[open]');
+            assert.deepEqual(await names(tab), ['Island', 'Koch']);
+        }
+        await other.getByRole('button', { name: 'Delete Koch' }).click();
+        await until(async () => (await names(page)).join() === 'Island', 'the other list is shorter');
+        await page.getByRole('button', { name: 'Rename Island' }).click();
+        await page.keyboard.type('Isle');
+        await page.keyboard.press('Enter');
+        await until(async () => (await names(other)).join() === 'Isle', 'the new name');
+        await other.click('#favourites-undo');
+        await until(async () => (await names(page)).join() === 'Isle,Koch', 'it is back in its place');
+        for (const tab of [page, other]) await tab.click('#close-favourites');
+        // Each tab changes another choice, and has its own old value of the other's.
+        for (const tab of [page, other]) {
+            await tab.click('#open-save');
+            await tab.click('.save-tile:has([value=print])');
+        }
+        await page.selectOption('#poster-sheet', 'a4');
+        await other.selectOption('#poster-dpi', '150');
+        for (const tab of [page, other]) await tab.click('#close-save');
+        const third = await another(page, KOCH);
+        await third.click('#tab-save');
+        await third.click('#open-save');
+        assert.equal(await third.inputValue('#poster-sheet'), 'a4');
+        assert.equal(await third.inputValue('#poster-dpi'), '150');
+        await page.click('#theme');
+        const theme = await page.getAttribute('html', 'data-theme');
+        await until(async () => (await other.getAttribute('html', 'data-theme')) === theme, 'the theme of both');
     }));

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { clean } from '../../js/state.js';
-import { bestLink } from '../../js/packed.js';
+import { clean } from '../../js/state/state.js';
+import { bestLink } from '../../js/state/packed.js';
 import { DAMAGED, SCRIPTS } from '../unit/hostile.mjs';
 import { close, picture, stillPicture, until, withModules, withPage } from './browser.mjs';
 
@@ -69,7 +69,7 @@ test('every system of the gallery reads back from its readable and compressed li
             /** @param {string} path */
             const load = (path) => import(new URL(path, document.baseURI).href);
             const [{ clean, FIELDS, same }, { writeLink }, { openLink, shortestLink }] = await Promise.all(
-                ['js/state.js', 'js/link.js', 'js/packed.js'].map(load),
+                ['js/state/state.js', 'js/state/link.js', 'js/state/packed.js'].map(load),
             );
             const entries = await (await fetch('gallery.json')).json();
             /** @type {string[]} */
@@ -98,7 +98,7 @@ test('hostile links cost little time and memory in this browser', () =>
     withPage({ before: withModules }, async (page) => {
         const links = DAMAGED.map(({ hash }) => hash);
         const { unsaid, slowest, megabytes } = await page.evaluate(async (hashes) => {
-            const { openLink } = await import(new URL('js/packed.js', document.baseURI).href);
+            const { openLink } = await import(new URL('js/state/packed.js', document.baseURI).href);
             const heap = () => /** @type {any} */ (performance).memory.usedJSHeapSize;
             const before = heap();
             let slowest = 0;

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
+import { some } from '../effort.mjs';
 import {
     DESKTOP,
     PHONE,
@@ -174,11 +175,11 @@ async function hasLineAt(page, x, y) {
     );
 }
 
-for (const [n, what] of [
+for (const [n, what] of some([
     ['60', 'segments too short for numbers'],
-    ['4', 'one long segment'],
     ['1000', 'more segments than have numbers'],
-])
+    ['4', 'one long segment'],
+]))
     test(`the wheel holds a line to a zoom of 10^60: ${what}`, () =>
         withPage({ hash: KOCH.replace('n=30', `n=${n}`) }, async (page) => {
             await stillPicture(page);

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
+import { sampled, some } from '../effort.mjs';
 import { PHONE, close, nextPicture, onPixels, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -33,7 +34,7 @@ const onScreen = (page) =>
             .map(({ id }) => id),
     );
 
-for (const [width, height] of SIZES)
+for (const [width, height] of sampled(SIZES, 3))
     test(`the selected tab folds the controls, and no control leaves the screen: ${width} x ${height}`, () =>
         withPage({ options: { ...PHONE, viewport: { width, height } } }, async (page) => {
             const before = await onScreen(page);
@@ -104,10 +105,12 @@ test('on a phone iterations and angle are counted up and down by buttons', () =>
 test('where a mouse points, no such button is shown', () =>
     withPage({ hash: ANY }, async (page) => assert.equal(await page.locator('.step:visible').count(), 0)));
 
-for (const [width, height] of /** @type {[number, number][]} */ ([
-    [390, 480],
-    [360, 360],
-]))
+for (const [width, height] of some(
+    /** @type {[number, number][]} */ ([
+        [360, 360],
+        [390, 480],
+    ]),
+))
     test(`the field that is typed into is in sight above a phone's keyboard: ${width} x ${height}`, () =>
         withPage({ options: PHONE }, async (page) => {
             for (const id of ['rules', 'axiom', 'angle']) {
@@ -139,7 +142,7 @@ test('fingers tap, and mice point', () =>
         await until(async () => /Tap it to enlarge/.test((await page.textContent('#qr-note')) ?? ''), 'the words');
     }));
 
-for (const [width, height] of SIZES)
+for (const [width, height] of sampled(SIZES, 3, 1))
     test(`a fitted drawing lies beside the tools: ${width} x ${height}`, () =>
         withPage({ options: { ...PHONE, viewport: { width, height } } }, async (page) => {
             for (const axiom of ['F', 'F+F+F+F']) {

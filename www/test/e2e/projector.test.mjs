@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
+import { some } from '../effort.mjs';
 import { DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -50,10 +51,12 @@ const fills = (page, selector) =>
 const captioned = (page, words) =>
     until(async () => (await page.textContent('#caption-text'))?.startsWith(words), `the caption says ${words}`);
 
-for (const [name, before] of /** @type {const} */ ([
-    ['in full screen', undefined],
-    ['in a browser without full screen', () => delete (/** @type {any} */ (Element.prototype).requestFullscreen)],
-]))
+for (const [name, before] of some(
+    /** @type {const} */ ([
+        ['in full screen', undefined],
+        ['in a browser without full screen', () => delete (/** @type {any} */ (Element.prototype).requestFullscreen)],
+    ]),
+))
     test(`F fills the screen with the drawing, n and the angle, ${name}`, () =>
         withPage(
             { hash: ALGAE, options: HALL, before: async (page) => before && page.addInitScript(before) },
@@ -132,7 +135,7 @@ test('what plays goes on', () =>
         },
     ));
 
-for (const viewport of [HALL.viewport, { width: 1280, height: 720 }])
+for (const viewport of some([HALL.viewport, { width: 1280, height: 720 }]))
     test(`step by step fills the screen, in type that grows with it: ${viewport.width} x ${viewport.height}`, () =>
         withPage({ hash: ALGAE, options: { viewport } }, async (page) => {
             await page.click('#open-steps');

@@ -1,6 +1,6 @@
 /**
- * Runs the end-to-end tests, or the named files of this folder: `node test/e2e/run.mjs [FILES]`. LSYSTEM_URL is the
- * address of the page, CHROMIUM the browser. Prints every test, what failed, the slowest tests, and the sum of all.
+ * Runs the end-to-end tests, or the named files of this folder: `node test/e2e/run.mjs [--thorough] [FILES]`, where
+ * `--thorough` tries all variants. LSYSTEM_URL is the address of the page, CHROMIUM the browser. Prints every test, what failed, the slowest tests, and the sum of all.
  * LSYSTEM_TIMES names a file for the seconds of each test.
  */
 
@@ -23,7 +23,9 @@ const DEADLINE = 900_000;
 const TOLD = 10;
 
 const folder = fileURLToPath(new URL('.', import.meta.url));
-const named = process.argv.slice(2).map((name) => basename(name));
+const words = process.argv.slice(2);
+if (words.includes('--thorough')) process.env.LSYSTEM_THOROUGH = 'yes';
+const named = words.filter((word) => word !== '--thorough').map((name) => basename(name));
 const all = (await readdir(folder)).filter((name) => name.endsWith('.test.mjs'));
 const unknown = named.filter((name) => !all.includes(name));
 if (unknown.length > 0) throw new Error(`no such files: ${unknown.join(', ')}`);

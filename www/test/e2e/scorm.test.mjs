@@ -8,6 +8,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { inflateRawSync } from 'node:zlib';
 import { memoryPages, validateXML } from 'xmllint-wasm';
+import { some } from '../effort.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -168,22 +169,20 @@ const inSystem = (
             options,
             expected,
             before: (page) =>
-                page.route(`${PLACE}**`, (route) => {
-                    const name = new URL(route.request().url()).pathname.split('/learning/')[1] ?? '';
-                    const body =
-                        name === 'player.html'
-                            ? player(standard, faults, late, script)
-                            : filesOf(`${kind} ${standard}`).get(name.replace('package/', ''));
-                    return body === undefined
-                        ? route.fulfill({ status: 404, body: '' })
-                        : route.fulfill({
-                              body,
-                              contentType: name.endsWith('.html') ? 'text/html; charset=utf-8' : 'text/plain',
-                          });
-                }),
+                page.route(`${PLACE}**`, (route) =>
+                    learning(route, `${kind} ${standard}`, player(standard, faults, late, script)),
+                ),
         },
         use,
     );
+
+/** Answers as a learning system that has a package. @param {import('playwright-core').Route} route @param {string} kind @param {string} page */
+function learning(route, kind, page) {
+    const name = new URL(route.request().url()).pathname.split('/learning/')[1] ?? '';
+    const body = name === 'player.html' ? page : filesOf(kind).get(name.replace('package/', ''));
+    const contentType = name.endsWith('.html') ? 'text/html; charset=utf-8' : 'text/plain';
+    return route.fulfill(body === undefined ? { status: 404, body: '' } : { body, contentType });
+}
 
 /** The page of a learning system. It keeps what it has between visits. @param {string} standard @param {Partial<Faults>} faults @param {boolean} late @param {string} [script] */
 const player = (standard, faults, late, script) => `<!doctype html><meta charset="utf-8"><title>Learning system</title>
@@ -240,10 +239,12 @@ test('a page left untouched is incomplete without a score', () =>
         await brokeNothing(page);
     }));
 
-for (const [name, options] of /** @type {const} */ ([
-    ['a desktop', DESKTOP],
-    ['a phone', PHONE],
-]))
+for (const [name, options] of some(
+    /** @type {const} */ ([
+        ['a desktop', DESKTOP],
+        ['a phone', PHONE],
+    ]),
+))
     test(`wrong, solved, and again at the next visit, on ${name}`, () =>
         inSystem({ options }, async (page) => {
             await answer(page, WRONG);
@@ -258,7 +259,7 @@ for (const [name, options] of /** @type {const} */ ([
             assert.equal(values['cmi.core.lesson_status'], 'passed');
             assert.match(
                 values['cmi.suspend_data'] ?? '',
-                /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=solved&rules=F%20-%3E/,
+                /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=solved&t=\w+&rules=F%20-%3E/,
             );
             assert.equal(values['cmi.interactions.0.result'], 'correct');
             // Whoever goes on to try keeps the solution.
@@ -291,7 +292,7 @@ test('a package made in German is German for every student, and keeps the same',
         assert.match(await inner(page).locator('#mark-words').innerText(), /^Gelöst\. /);
         assert.match(
             (await stored(page))['cmi.suspend_data'] ?? '',
-            /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=solved&rules=F%20-%3E/,
+            /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=solved&t=\w+&rules=F%20-%3E/,
         );
         assert.match(filesOf('german 1.2').get('read-me.txt')?.toString() ?? '', /SCORM 1\.2.*hoch/);
         // The words of these pages only: the site's catalogue has more.
@@ -363,10 +364,12 @@ test('answers without the learning system are offered once it answers', () =>
         await becomes(page, 'cmi.core.lesson_status', 'passed');
     }));
 
-for (const [name, faults] of /** @type {[string, Partial<Faults>][]} */ ([
-    ['refuses', { refuses: 2 }],
-    ['crashes', { throws: true }],
-]))
+for (const [name, faults] of some(
+    /** @type {[string, Partial<Faults>][]} */ ([
+        ['refuses', { refuses: 2 }],
+        ['crashes', { throws: true }],
+    ]),
+))
     test(`a learning system that ${name} is told, and loses nothing`, () =>
         inSystem({ faults }, async (page) => {
             await answer(page, RIGHT);
@@ -386,10 +389,12 @@ for (const [name, faults] of /** @type {[string, Partial<Faults>][]} */ ([
             }
         }));
 
-for (const [name, faults] of /** @type {[string, Partial<Faults>][]} */ ([
-    ['has room for little', { quota: 1200 }],
-    ['cuts long states without a word', { cuts: 1200 }],
-]))
+for (const [name, faults] of some(
+    /** @type {[string, Partial<Faults>][]} */ ([
+        ['cuts long states without a word', { cuts: 1200 }],
+        ['has room for little', { quota: 1200 }],
+    ]),
+))
     test(`a learning system that ${name} has the marks, and the student is told`, () =>
         inSystem({ faults }, async (page) => {
             const long = `${WRONG}\n${Array.from({ length: 80 }, (_, at) => `// line ${at} of a long remark`).join('\n')}`;
@@ -397,7 +402,7 @@ for (const [name, faults] of /** @type {[string, Partial<Faults>][]} */ ([
             await says(page, /no room for the text of step 1: its mark is saved/);
             assert.match(
                 (await stored(page))['cmi.suspend_data'] ?? '',
-                /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=\d+$/,
+                /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=\d+&t=\w+$/,
             );
             assert.equal((await stored(page))['cmi.core.score.raw'], '0');
             await page.reload();
@@ -449,6 +454,77 @@ test('the opener of a window of its own may be the learning system', () =>
         await becomes(page, 'cmi.core.lesson_status', 'passed');
     }));
 
+/**
+ * The page of a learning system whose windows have the values of when they were opened, and whose last window that
+ * commits replaces all values of the others.
+ */
+const TWO_WINDOWS = `${STAND_IN}
+const kept = JSON.parse(localStorage.getItem('stored') ?? '{}');
+const system = createStandIn('1.2', { kept });
+window.system = system;
+window.API = {};
+for (const [name, call] of Object.entries(system.api))
+    API[name] = (...given) => {
+        const answer = call(...given);
+        if (/Commit|Finish/.test(name)) localStorage.setItem('stored', JSON.stringify(system.stored));
+        return answer;
+    };`;
+
+test('two windows of a package: both answers are kept, shown and counted', () =>
+    inSystem({ kind: 'two', script: TWO_WINDOWS }, async (first) => {
+        const open = async () => {
+            const page = await first.context().newPage();
+            await page.route(`${PLACE}**`, (route) =>
+                learning(route, 'two 1.2', player('1.2', {}, false, TWO_WINDOWS)),
+            );
+            await page.goto(first.url());
+            await inner(page).locator('#mark-percent:not(:empty)').waitFor();
+            return page;
+        };
+        const kept = async (/** @type {Page} */ page, /** @type {string} */ name) =>
+            JSON.parse(await page.evaluate("localStorage.getItem('stored') ?? '{}'"))[name];
+        const score = (/** @type {Page} */ page, /** @type {string} */ value) =>
+            until(async () => (await kept(page, 'cmi.core.score.raw')) === value, `the score is ${value}`);
+        const done = (/** @type {Page} */ page, /** @type {number} */ count) =>
+            until(async () => (await outer(page).locator('.places .done').count()) === count, `${count} are done`);
+        await inner(first).locator('#mark-percent:not(:empty)').waitFor();
+        const second = await open();
+        await answer(first, RIGHT);
+        await score(first, '50');
+        await done(second, 1);
+        assert.equal(await inner(second).locator('#rules').inputValue(), RIGHT, 'shown in the other window');
+        await outer(second).locator('#onward').click();
+        await answer(second, 'F -> F[+F]F[-F]F');
+        await score(first, '100');
+        await done(first, 2);
+        await says(first, /^Saved in the learning system\./);
+        // Whichever is closed last.
+        await second.close();
+        await first.reload();
+        await done(first, 2);
+        const third = await open();
+        await done(third, 2);
+        assert.equal(await kept(third, 'cmi.core.score.raw'), '100');
+        assert.equal((await kept(third, 'cmi.suspend_data')).match(/mark=solved/g)?.length, 2);
+        for (const page of [first, third]) await brokeNothing(page);
+    }));
+
+test('answers of nobody are offered to no other student of this browser', () =>
+    inSystem({ late: true }, async (page) => {
+        await answer(page, RIGHT);
+        await inner(page).locator('#mark.solved').waitFor();
+        const other = await page.context().newPage();
+        await other.route(`${PLACE}**`, (route) => learning(route, 'one 1.2', player('1.2', {}, false)));
+        await other.goto(page.url());
+        await inner(other).locator('#mark-percent:not(:empty)').waitFor();
+        await becomes(other, 'cmi.core.lesson_status', 'incomplete');
+        assert.equal(await outer(other).locator('#learning').isVisible(), false, 'nothing is offered');
+        assert.equal(await inner(other).locator('#rules').inputValue(), '');
+        // Whoever made them still has them.
+        await page.evaluate('provide()');
+        await becomes(page, 'cmi.core.lesson_status', 'passed');
+    }));
+
 test('the lesson keeps its place, its answers and the own plant', () =>
     inSystem({ kind: 'lesson' }, async (page) => {
         assert.equal(await outer(page).locator('.keep').count(), 0, 'a package has no playground');
@@ -474,7 +550,7 @@ test('the lesson keeps its place, its answers and the own plant', () =>
         await brokeNothing(page);
     }));
 
-for (const standard of /** @type {const} */ (['1.2', '2004']))
+for (const standard of some(/** @type {const} */ (['1.2', '2004'])))
     test(`scorm-again keeps a package of SCORM ${standard}`, async () => {
         const file = standard === '1.2' ? 'scorm12.min.js' : 'scorm2004.min.js';
         const library = await readFile(new URL(`../../node_modules/scorm-again/dist/${file}`, import.meta.url), 'utf8');

@@ -122,6 +122,38 @@ test('a file that was changed on both sides is told, and nothing is lost', () =>
         assert.equal((await read()).angle_deg, 33);
     }));
 
+test('changes of different fields go together', () =>
+    withPage({ address }, async (page) => {
+        await edit(plant({}));
+        await until(async () => (await page.inputValue('#angle')) === '25', 'the angle follows');
+        await page.fill('#angle', '33');
+        await sign(page, 'not saved');
+        await edit(plant({ num_iters: 2, author: 'Ada' }));
+        await until(async () => (await page.inputValue('#iterations')) === '2', 'the iterations follow');
+        await sign(page, 'not saved');
+        await page.keyboard.press('Control+s');
+        await sign(page, 'saved');
+        assert.equal(await readFile(file, 'utf8'), plant({ num_iters: 2, angle_deg: 33, author: 'Ada' }));
+    }));
+
+test('what cannot be edited is told first, and a copy stays', () =>
+    withPage({ address, expected: /Failed to load resource/ }, async (page) => {
+        const text = '{"initial": "F", "num_iters": 1, "rules": {"F": [{"p": 1, /* one */ "e": "FF"}]}}';
+        await edit(text);
+        await until(async () => (await page.inputValue('#iterations')) === '1', 'the iterations follow');
+        await page.fill('#rules', 'F -> F(2)');
+        await sign(page, 'not saved');
+        await page.click('#served-save');
+        await until(() => page.isVisible('#served-replace'), 'the question');
+        assert.match((await page.textContent('#served-words')) ?? '', /A copy of the former file stays/);
+        assert.equal(await readFile(file, 'utf8'), text);
+        await page.click('#served-replace');
+        await sign(page, 'saved');
+        assert.equal(await readFile(`${file}.before-1`, 'utf8'), text);
+        assert.match(await readFile(file, 'utf8'), /F\(2\)/);
+        await rm(`${file}.before-1`);
+    }));
+
 test('a reload keeps changes that are not saved, and a removed file is told', () =>
     withPage({ address }, async (page) => {
         await edit(plant({}));

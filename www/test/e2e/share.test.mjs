@@ -2,8 +2,9 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import jsqr from 'jsqr';
-import { clean } from '../../js/state.js';
-import { openLink } from '../../js/packed.js';
+import { clean } from '../../js/state/state.js';
+import { openLink } from '../../js/state/packed.js';
+import { some } from '../effort.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -70,10 +71,12 @@ async function scan(page, place = '#qr-frame') {
     return read?.data;
 }
 
-for (const [device, options] of /** @type {const} */ ([
-    ['desktop', { ...DESKTOP, ...CLIPBOARD, deviceScaleFactor: 3 }],
-    ['phone, dark', { ...PHONE, ...CLIPBOARD, colorScheme: 'dark' }],
-])) {
+for (const [device, options] of some(
+    /** @type {const} */ ([
+        ['desktop', { ...DESKTOP, ...CLIPBOARD, deviceScaleFactor: 3 }],
+        ['phone, dark', { ...PHONE, ...CLIPBOARD, colorScheme: 'dark' }],
+    ]),
+)) {
     test(`the link is copied, scanned and sent: ${device}`, () =>
         withPage(
             {

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
+import { some } from '../effort.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
 
 after(close);
@@ -15,10 +16,12 @@ const parents = (page) => page.locator('.family .parent').allTextContents();
 const says = (page, words) =>
     until(async () => words.test((await page.textContent('#steps-words')) ?? ''), `the bar says ${words}`);
 
-for (const [name, options] of /** @type {const} */ ([
-    ['a desktop', DESKTOP],
-    ['a phone', PHONE],
-])) {
+for (const [name, options] of some(
+    /** @type {const} */ ([
+        ['a desktop', DESKTOP],
+        ['a phone', PHONE],
+    ]),
+)) {
     test(`each symbol stands above what it becomes on ${name}`, () =>
         withPage({ hash: ALGAE, options }, async (page) => {
             await page.locator('#open-steps').scrollIntoViewIfNeeded();
@@ -107,6 +110,13 @@ test('the turtle is followed symbol by symbol', () =>
         await page.click('#steps-play');
         await says(page, /6 of 6/);
         await until(async () => (await page.textContent('#steps-play')) === 'Play', 'it ends');
+        // Whoever has just moved the slider sees it move on.
+        await page.focus('#steps-at');
+        await page.keyboard.press('Home');
+        await says(page, /0 of 6/);
+        await page.evaluate(() => document.getElementById('steps-play')?.click());
+        await says(page, /6 of 6/);
+        assert.equal(await page.evaluate(() => document.activeElement?.id), 'steps-at');
     }));
 
 test('what cannot be shown says why', () =>

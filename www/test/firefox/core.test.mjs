@@ -10,6 +10,8 @@ import { launch } from 'puppeteer-core';
 const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
 const KOCH = '#v=1&axiom=F&rules=F%20-%3E%20F+F--F+F&n=3&angle=60&heading=0';
 const DRAWN = '#stage.inked';
+/** Whoever waits for longer than this waits for ever, also on a busy machine. In milliseconds. */
+const DEADLINE = 120_000;
 /** The frame in the element of the shown step. */
 const FRAME = '.step.now l-system >>> iframe';
 
@@ -43,6 +45,7 @@ after(async () => {
 /** Opens a page of the site; what fails there fails the test. @param {string} path @param {(page: Page) => Promise<void>} use @param {string} [drawn] */
 async function at(path, use, drawn = DRAWN) {
     const page = await browser.newPage();
+    page.setDefaultTimeout(DEADLINE);
     /** @type {string[]} */
     const wrong = [];
     page.on('pageerror', (error) => wrong.push(String(error)));
@@ -50,7 +53,7 @@ async function at(path, use, drawn = DRAWN) {
     try {
         await page.setViewport({ width: 1280, height: 800 });
         await page.goto(ADDRESS + path);
-        await page.waitForSelector(drawn, { timeout: 30_000 });
+        await page.waitForSelector(drawn);
         await use(page);
         assert.deepEqual(wrong, []);
     } finally {
@@ -77,7 +80,7 @@ const colours = (page) =>
 const captioned = (page, words) =>
     page.waitForFunction(
         (/** @type {string} */ words) => document.querySelector('#caption-text')?.textContent?.includes(words),
-        { timeout: 15_000 },
+        {},
         words,
     );
 
@@ -110,7 +113,7 @@ test('a tree in space turns under the pointer', () =>
         await page.waitForFunction(
             (/** @type {string} */ before) =>
                 /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing')).toDataURL() !== before,
-            { timeout: 15_000 },
+            {},
             before,
         );
     }));
@@ -139,7 +142,7 @@ test('a picture is saved', () =>
         await page.click('#save-now');
         /** @type {string | undefined} */
         let name;
-        for (let tries = 0; tries < 100 && !name; tries++) {
+        for (const end = Date.now() + DEADLINE; !name && Date.now() < end; ) {
             await new Promise((resolve) => setTimeout(resolve, 100));
             name = (await readdir(downloads)).find((file) => file.endsWith('.svg'));
         }
@@ -159,7 +162,7 @@ test('an exercise in the lesson is marked', () =>
         async (page) => {
             const handle = await page.waitForSelector(FRAME);
             const frame = /** @type {Frame} */ (await handle?.contentFrame());
-            await frame.waitForSelector('#mark-percent:not(:empty)', { timeout: 30_000 });
+            await frame.waitForSelector('#mark-percent:not(:empty)');
             await fill(frame, '#rules', 'F -> FF');
             await page.waitForFunction(() => /Done/.test(document.querySelector('#told')?.textContent ?? ''));
         },

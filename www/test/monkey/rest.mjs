@@ -1,7 +1,7 @@
 /** Checks of a page at rest: texts match the link, and the picture matches a fresh load. */
 
-import { openLink } from '../../js/packed.js';
-import { plain } from '../../js/numerals.js';
+import { openLink } from '../../js/state/packed.js';
+import { plain } from '../../js/base/numerals.js';
 import { Fault, show } from './actions.mjs';
 import { leave, valueOf } from './hands.mjs';
 

@@ -1,8 +1,8 @@
 /** Texts and files that the monkey types, opens and drops. */
 
 import { deflateSync } from 'node:zlib';
-import { writeLink } from '../../js/link.js';
-import { clean } from '../../js/state.js';
+import { writeLink } from '../../js/state/link.js';
+import { clean } from '../../js/state/state.js';
 import { DAMAGED, SCRIPTS } from '../unit/hostile.mjs';
 import { randomState } from '../unit/random.mjs';
 
@@ -14,7 +14,7 @@ export const pick = (roll, choices) => /** @type {T} */ (choices[Math.floor(roll
 /** A whole number from 0 to `most` - 1. @param {Roll} roll @param {number} most */
 export const whole = (roll, most) => Math.floor(roll() * most);
 
-/** Systems that can be drawn, of every kind. @type {readonly (Partial<import('../../js/state.js').State>)[]} */
+/** Systems that can be drawn, of every kind. @type {readonly (Partial<import('../../js/state/state.js').State>)[]} */
 export const SYSTEMS = [
     { axiom: 'F', rules: 'F -> F[+F]F[-F]F', iterations: 4, angle: 25.7 },
     { axiom: 'X', rules: 'X -> F[+X]F[-X]+X\nF -> FF', iterations: 30, angle: 20, colourBy: 'level' },

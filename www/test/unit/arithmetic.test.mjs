@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { valueOf } from '../../js/arithmetic.js';
+import { valueOf } from '../../js/controls/arithmetic.js';
 
 test('number fields take arithmetic', () => {
     for (const [text, value] of /** @type {[string, number | null][]} */ ([

@@ -1,13 +1,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { viewBeside } from '../../js/stage/beside-tools.js';
-import { FITTED } from '../../js/view.js';
+import { viewBeside } from '../../js/view/beside-tools.js';
+import { FITTED } from '../../js/view/view.js';
 
 const STAGE = { width: 400, height: 400 };
 /** A tool in a corner. @param {number} left @param {number} top @param {number} width @param {number} height */
 const tool = (left, top, width = 100, height = 50) => ({ left, top, right: left + width, bottom: top + height });
 
-/** The drawing's box in a view. @param {number} aspect @param {import('../../js/state.js').View} view */
+/** The drawing's box in a view. @param {number} aspect @param {import('../../js/state/state.js').View} view */
 function boxOf(aspect, { x, y, zoom }) {
     const wide = Math.min(352, 352 * aspect);
     const high = wide / aspect;

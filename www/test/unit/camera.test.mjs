@@ -11,11 +11,11 @@ import {
     turned,
     whole,
     zoomed,
-} from '../../js/camera.js';
-import { clean } from '../../js/state.js';
+} from '../../js/view/camera.js';
+import { clean } from '../../js/state/state.js';
 import { dice } from './random.mjs';
 
-/** @typedef {import('../../js/state.js').Camera} Camera */
+/** @typedef {import('../../js/state/state.js').Camera} Camera */
 
 /** Projects a point, in fitted extents, without perspective: CSS pixels right of and above the middle. @param {Camera} camera @param {number[]} point */
 function seen(camera, point, scale = 700) {

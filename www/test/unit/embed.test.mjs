@@ -3,8 +3,8 @@ import { test } from 'node:test';
 import { CONTROLS, readControls, readOptions } from '../../js/embed/options.js';
 import { schemeOf } from '../../js/embed/scheme.js';
 import { fieldsOf, valuesOf } from '../../js/embed/values.js';
-import { KEYS } from '../../js/link.js';
-import { DEFAULTS, clean } from '../../js/state.js';
+import { KEYS } from '../../js/state/link.js';
+import { DEFAULTS, clean } from '../../js/state/state.js';
 import { ATTRIBUTES } from '../../js/tables.js';
 import { dice, randomState } from './random.mjs';
 

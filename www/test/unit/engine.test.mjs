@@ -3,8 +3,8 @@ import { mock, test } from 'node:test';
 import { createFallback } from '../../js/engine/fallback.js';
 import { createNewest } from '../../js/engine/newest.js';
 import { createOutbox } from '../../js/engine/outbox.js';
-import { DEFAULTS, definitionOf } from '../../js/state.js';
-import { FITTED } from '../../js/view.js';
+import { DEFAULTS, definitionOf } from '../../js/state/state.js';
+import { FITTED } from '../../js/view/view.js';
 
 const LOOK = { canvas: { width: 8, height: 8, ratio: 1 }, view: FITTED, camera: null };
 /** @param {number} angle */

@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { MOST_FAVOURITES, favourite, readFavourites, rename } from '../../js/favourites.js';
+import { MOST_FAVOURITES, favourite, readFavourites, renamed } from '../../js/favourites/favourites.js';
 import { MOST_ENTRIES, isFavouritesFile, readFile, writeFile } from '../../js/favourites/file.js';
-import { readLink, writeLink } from '../../js/link.js';
-import { shortestLink } from '../../js/packed.js';
-import { clean } from '../../js/state.js';
+import { readLink, writeLink } from '../../js/state/link.js';
+import { shortestLink } from '../../js/state/packed.js';
+import { clean } from '../../js/state/state.js';
 import { dice, randomState } from './random.mjs';
 
 const ROUNDS = Math.min(2000, Number(process.env.LSYSTEM_CASES ?? 100));
@@ -34,13 +34,9 @@ test('a favourite always has a name', () => {
     assert.equal(favourite(' \n ', clean({ title: 'Koch' })).name, 'Koch');
     assert.equal(favourite('', clean({})).name, 'Untitled system');
     assert.equal(favourite('x'.repeat(1000), clean({})).name.length, 120);
-    const list = [favourite('A', clean({})), favourite('B', clean({ axiom: 'F' }))];
-    const [a, b] = list;
-    assert.deepEqual(
-        rename(list, String(b?.id), ' New  name ').map(({ name }) => name),
-        ['A', 'New name'],
-    );
-    assert.deepEqual(rename(list, String(a?.id), ' '), list);
+    const one = favourite('A', clean({}));
+    assert.deepEqual(renamed(one, ' New  name '), { ...one, name: 'New name' });
+    assert.deepEqual(renamed(one, ' '), one);
 });
 
 test('files from elsewhere may have full addresses, compressed or damaged links, and too many entries', async () => {

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { filmCode, filmIn, guarded } from '../../js/film/embed-code.js';
 import { workersOn } from '../../js/film/frames.js';
 import { added, frameAt, moved, numbersOf, stretched, withTrack, written } from '../../js/film/script.js';
-import { DEFAULTS } from '../../js/state.js';
+import { DEFAULTS } from '../../js/state/state.js';
 
 /** @type {import('../../js/protocol.js').FilmScript} */
 const SCRIPT = {

@@ -6,10 +6,10 @@ import { answerOf, drawsOf, questionOf } from '../../js/course/others.js';
 import { isPicture } from '../../js/find/files.js';
 import { promisedSize } from '../../js/find/header.js';
 import { LEAST, darkIsLess, greyOf, inkMap, inkShare, inked, isPlain, levelOf, withCorner } from '../../js/find/ink.js';
-import { coloured } from '../../js/differences.js';
+import { coloured } from '../../js/base/differences.js';
 import { merged, percent, systems, verdict } from '../../js/find/merge.js';
 import { workersOn } from '../../js/find/search.js';
-import { DEFAULTS, definitionOf } from '../../js/state.js';
+import { DEFAULTS, definitionOf } from '../../js/state/state.js';
 
 /** A picture of `size` pixels each way with a frame of ink, one pixel wide, at a distance of two. @param {number} size @param {number} ink @param {number} paper */
 function framed(size, ink, paper) {
@@ -173,14 +173,30 @@ test('files promise their size before they are decoded', () => {
         new Uint8Array(
             parts.flatMap((part) => (typeof part === 'string' ? [...part].map((at) => at.charCodeAt(0)) : [part])),
         ).buffer;
+    /** A GIF's block with two parts, and a frame 20,000 wide with a table of colours and data. */
+    const noted = ['!', 0xfe, 2, ',,', 1, ',', 0];
+    const frame = (/** @type {number} */ left, /** @type {number} */ low) => [
+        ...[',', left, 0, 0, 0, 0x20, 0x4e, low, 2, 0x80, 'abcdef', 8],
+        ...[3, ',,,', 0],
+    ];
     const note = [0xff, 0xe1, 0, 6, 'abcd'];
     for (const [kind, file, size] of /** @type {[string, ArrayBuffer, [number, number] | null][]} */ ([
         ['image/png', bytes('\x89PNG\r\n\x1a\n\0\0\0\rIHDR', 0, 0, 0xea, 0x60, 0, 1, 0, 0), [60_000, 65_536]],
-        ['image/gif', bytes('GIF89a', 0, 2, 3, 0), [512, 3]],
+        ['image/gif', bytes('GIF89a', 0, 2, 3, 0, 0, 0, 0), null],
+        ['image/gif', bytes('GIF89a', 0, 2, 3, 0, 0, 0, 0, ',', 0, 0, 0, 0, 1, 0, 1, 0, 0), [512, 3]],
+        [
+            'image/gif',
+            bytes('GIF89a', 1, 0, 1, 0, 0x80, 0, 0, 'abcdef', ...noted, ...frame(0, 3), ...frame(7, 2), ';'),
+            [0x4e20 + 7, 0x0203],
+        ],
+        ['image/gif', bytes('GIF89a', 1, 0, 1, 0, 0, 0, 0, ...noted, ...noted), null],
         ['image/jpeg', bytes(0xff, 0xd8, ...note, 0xff, 0xff, 0xc2, 0, 17, 8, 0xea, 0x60, 1, 0, 3), [256, 60_000]],
         ['image/jpeg', bytes(0xff, 0xd8, ...note, 0xff, 0xda, 0, 17, 8, 0xea, 0x60, 1, 0, 3), null],
         ['image/jpeg', bytes(0xff, 0xd8, ...note, 0xff, 0xc4, 0xff, 0xff), null],
         ['image/jpeg', bytes(0xff, 0xd8, 7, 7, 7, 7), null],
+        // A marker without a length, in which a small frame hides.
+        ['image/jpeg', bytes(0xff, 0xd8, 0xff, 1, 0, 4, 0, 0, 0xff, 0xc0, 0, 17, 8, 0, 1, 0, 1, 3), null],
+        ['image/jpeg', bytes(0xff, 0xd8, 0xff, 0, 0, 4, 0, 0, 0xff, 0xc0, 0, 17, 8, 0, 1, 0, 1, 3), null],
         ['image/webp', bytes('RIFF....WEBPVP8X....', 0, 0, 0, 0, 0x5f, 0xea, 0, 2, 0, 1), [60_000, 65_539]],
         ['image/webp', bytes('RIFF....WEBPVP8L....', 0x2f, 0xff, 0xff, 0xff, 0x0f), [16_384, 16_384]],
         ['image/webp', bytes('RIFF....WEBPVP8 ....', '...', 0x9d, 1, 0x2a, 0x10, 0x40, 0x20, 0x80), [16, 32]],

@@ -5,15 +5,15 @@ import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { CONTROLS, readControls, readOptions } from '../../js/embed/options.js';
 import { fieldsOf, valuesOf } from '../../js/embed/values.js';
-import { LONGEST_NAME, MOST_FAVOURITES, favourite, readFavourites, rename } from '../../js/favourites.js';
+import { LONGEST_NAME, MOST_FAVOURITES, favourite, readFavourites, renamed } from '../../js/favourites/favourites.js';
 import { isFavouritesFile, readFile, writeFile } from '../../js/favourites/file.js';
-import { readLink, writeLink } from '../../js/link.js';
-import { plain, readNumber } from '../../js/numerals.js';
-import { bestLink, openLink, shortestLink } from '../../js/packed.js';
-import { createSession } from '../../js/session.js';
-import { MOST_SESSIONS, keepSession, openSession, readSessions } from '../../js/sessions.js';
-import { DEFAULTS, clean } from '../../js/state.js';
-import { createStorage } from '../../js/storage.js';
+import { readLink, writeLink } from '../../js/state/link.js';
+import { plain, readNumber } from '../../js/base/numerals.js';
+import { bestLink, openLink, shortestLink } from '../../js/state/packed.js';
+import { createSession } from '../../js/state/session.js';
+import { MOST_SESSIONS, openSession, readSessions, sessionOf, tidySessions } from '../../js/state/sessions.js';
+import { DEFAULTS, clean } from '../../js/state/state.js';
+import { createStorage } from '../../js/state/storage.js';
 import { damaged, junk, junkLink, junkObject, junkText, pick, whole } from './junk.mjs';
 import { dice, randomState } from './random.mjs';
 
@@ -42,7 +42,7 @@ const fuzz = (name, check, rounds = ROUNDS) =>
         context.diagnostic(`${rounds} cases`);
     });
 
-/** @param {import('../../js/link.js').Link | null} link */
+/** @param {import('../../js/state/link.js').Link | null} link */
 function isValid(link) {
     if (!link) return;
     assert.deepEqual(clean(link.state), link.state);
@@ -89,7 +89,7 @@ fuzz('states: cleaning twice equals cleaning once', (roll) => {
 });
 
 fuzz('sessions: a damaged list gives valid visits, up to the maximum', (roll) => {
-    const list = keepSession([], 'a', randomState(roll), randomState(roll), 1);
+    const list = [{ ...sessionOf('a', randomState(roll), randomState(roll)), time: 1 }];
     const given = pick(roll, [
         () => junk(roll),
         () => list.map((one) => ({ ...one, ...junkObject(roll) })),
@@ -101,12 +101,12 @@ fuzz('sessions: a damaged list gives valid visits, up to the maximum', (roll) =>
         const opened = openSession(one);
         if (opened) assert.deepEqual([clean(opened.state), clean(opened.origin)], [opened.state, opened.origin]);
     }
-    assert.ok(keepSession(read, 'b', clean({}), clean({}), 2).length <= MOST_SESSIONS);
+    assert.ok(tidySessions([{ ...sessionOf('b', clean({}), clean({})), time: 2 }, ...read]).length <= MOST_SESSIONS);
 });
 
 fuzz('storage: any stored value starts a visit with a valid state or none', (roll) => {
     const state = randomState(roll);
-    const sessions = JSON.stringify(keepSession([], 'a', state, state, 1));
+    const sessions = JSON.stringify([{ ...sessionOf('a', state, state), time: 1 }]);
     const entry = (/** @type {string} */ whole) =>
         pick(roll, [() => whole, () => damaged(roll, whole), () => json(junk(roll)), () => junkText(roll)])();
     const kept = new Map([
@@ -156,7 +156,7 @@ fuzz('favourites: a damaged file gives valid favourites, or an error above a lim
     }
     const stored = readFavourites(junk(roll));
     assert.ok(stored.length <= MOST_FAVOURITES);
-    rename(stored, 'a', junkText(roll));
+    for (const one of stored) renamed(one, junkText(roll));
 });
 
 fuzz('messages: values of any kind give valid fields', (roll) => {

@@ -10,7 +10,7 @@ Object.assign(globalThis, {
     fetch: async () => Response.json({ '{} a second': '{} in der Sekunde' }),
 });
 Object.defineProperty(globalThis, 'navigator', { value: { languages: ['en'] } });
-const { grouped, shortText, zoomText } = await import('../../js/numerals.js');
+const { grouped, shortText, zoomText } = await import('../../js/base/numerals.js');
 const { paceText, placeText, readPlace } = await import('../../js/reading/places.js');
 const { poseText } = await import('../../js/reading/words.js');
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { at, duration } from '../../js/growing.js';
-import { DEFAULTS, definitionOf } from '../../js/state.js';
+import { at, duration } from '../../js/motion/growing.js';
+import { DEFAULTS, definitionOf } from '../../js/state/state.js';
 
 test('generations are a continuous value', () => {
     const definition = { ...definitionOf(DEFAULTS), iterations: 7 };

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { EMPTY, MERGE_MS, record, redo, settle, undo } from '../../js/history.js';
-import { FIELDS, clean, same } from '../../js/state.js';
-import { createStore } from '../../js/store.js';
+import { EMPTY, MERGE_MS, record, redo, settle, undo } from '../../js/state/history.js';
+import { FIELDS, clean, same } from '../../js/state/state.js';
+import { createStore } from '../../js/state/store.js';
 import { dice, randomState } from './random.mjs';
 
 test('quick changes by one control are one undo step, others are not', () => {

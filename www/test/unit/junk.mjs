@@ -1,7 +1,7 @@
 /** Random invalid values, texts and links; equal seeds give equal results. */
 
 import { deflateSync } from 'node:zlib';
-import { KEYS, writeFields, writeLink } from '../../js/link.js';
+import { KEYS, writeFields, writeLink } from '../../js/state/link.js';
 import { DAMAGED, SCRIPTS } from './hostile.mjs';
 import { randomState } from './random.mjs';
 

@@ -3,9 +3,9 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
-import { readLink, writeLink } from '../../js/link.js';
-import { LONG, bestLink, openLink, shortestLink } from '../../js/packed.js';
-import { DEFAULTS, clean } from '../../js/state.js';
+import { readLink, writeLink } from '../../js/state/link.js';
+import { LONG, bestLink, openLink, shortestLink } from '../../js/state/packed.js';
+import { DEFAULTS, clean } from '../../js/state/state.js';
 import { DAMAGED, SCRIPTS } from './hostile.mjs';
 import { dice, randomState } from './random.mjs';
 
@@ -20,7 +20,7 @@ const open = (hash) => {
     return link;
 };
 
-/** @param {string} hash @param {import('../../js/state.js').State} state */
+/** @param {string} hash @param {import('../../js/state/state.js').State} state */
 async function gives(hash, state) {
     const link = await openLink(hash);
     assert.deepEqual(link?.problems, []);

@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CONTROLS } from '../../js/embed/options.js';
-import { readLink, writeLink } from '../../js/link.js';
-import { clean } from '../../js/state.js';
-import { createStore } from '../../js/store.js';
+import { readLink, writeLink } from '../../js/state/link.js';
+import { clean } from '../../js/state/state.js';
+import { createStore } from '../../js/state/store.js';
 import { damaged, junk, junkLink, junkObject, pick, whole } from './junk.mjs';
 import { dice, randomState } from './random.mjs';
 

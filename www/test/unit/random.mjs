@@ -1,6 +1,6 @@
 /** Random states for tests; equal seeds give equal states. */
 
-import { clean } from '../../js/state.js';
+import { clean } from '../../js/state/state.js';
 import { FIELDS } from '../../js/tables.js';
 
 /** A small generator of random numbers in [0, 1) (mulberry32). @param {number} seed */

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { latest } from '../../js/latest.js';
+import { latest } from '../../js/base/latest.js';
 import {
     REACH,
     lastTop,

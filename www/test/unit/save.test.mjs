@@ -17,7 +17,7 @@ import {
 import { createMaking } from '../../js/save/making.js';
 import { firstLines, sheetOf } from '../../js/save/preview.js';
 import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/late-tables.js';
-import { Cancelled } from '../../js/tool.js';
+import { Cancelled } from '../../js/engine/tool.js';
 
 /** @typedef {import('../../js/save/making.js').Made} Made */
 

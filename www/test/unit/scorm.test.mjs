@@ -2,14 +2,16 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { fieldsIn, keyOf, linkOf, merged, readAttempt, writeAttempt } from '../../js/exercise/attempt.js';
+import { fieldsIn, keyOf, linkOf, readAttempt, weightOf, writeAttempt } from '../../js/exercise/attempt.js';
 import { clockTime, createScorm } from '../../js/exercise/scorm.js';
+import { joined } from '../../js/state/rows.js';
 import { createStandIn } from '../scorm-stand-in.mjs';
 
 /** @typedef {import('../../js/exercise/attempt.js').Part} Part */
 
-/** @param {string} key @param {Part['mark']} mark @param {number} length @returns {Part} */
-const part = (key, mark, length) => ({ key, mark, fields: `rules=${'F'.repeat(length)}` });
+/** @param {string} id @param {Part['mark']} mark @param {number} length @param {number} [time] @returns {Part} */
+const part = (id, mark, length, time = NOW) => ({ id, time, mark, fields: `rules=${'F'.repeat(length)}` });
+const NOW = 1_800_000_000_000;
 const KEYS = ['00000001', '00000002', '00000003', 'own'];
 
 test('exercises are named by their check sums', () => {
@@ -30,15 +32,15 @@ test('foreign and damaged states are no states, or lose the damaged lines only',
     for (const text of ['', '{}', 'l-system 2 at=1', 'l-system 1 at=x', '#v=1&k=0000000a&mark=1', 'undefined'])
         assert.equal(readAttempt(text), null, text);
     const read = readAttempt('l-system 1 at=1\n#v=1&k=xyz&mark=1\n#v=1&k=0000000a&mark=999&n=3\n#v=1&k=0000');
-    assert.deepEqual(read, { at: 1, parts: [{ key: '0000000a', mark: 100, fields: 'n=3' }] });
+    assert.deepEqual(read, { at: 1, parts: [{ id: '0000000a', time: 0, mark: 100, fields: 'n=3' }] });
 });
 
 test('a state that is too long loses the longest drafts first, and no mark', () => {
     const parts = [part(KEYS[0] ?? '', 'solved', 900), part(KEYS[1] ?? '', 50, 300), part(KEYS[2] ?? '', 20, 700)];
     const attempt = { at: 0, parts };
-    assert.deepEqual(writeAttempt(attempt, 2050).dropped, []);
-    assert.deepEqual(writeAttempt(attempt, 1500).dropped, [KEYS[2]]);
-    assert.deepEqual(writeAttempt(attempt, 1100).dropped, [KEYS[2], KEYS[1]]);
+    assert.deepEqual(writeAttempt(attempt, 2080).dropped, []);
+    assert.deepEqual(writeAttempt(attempt, 1530).dropped, [KEYS[2]]);
+    assert.deepEqual(writeAttempt(attempt, 1130).dropped, [KEYS[2], KEYS[1]]);
     const { text, dropped } = writeAttempt(attempt, 200);
     assert.ok(text.length <= 200);
     assert.equal(dropped.length, 3);
@@ -53,20 +55,35 @@ test('marks of the most exercises fit into the shortest state', () => {
     assert.ok(writeAttempt({ at: 99, parts }, 4096).text.length <= 4096);
 });
 
-test('two states become one, and solved stays solved', () => {
-    const older = { at: 1, parts: [part('0000000a', 'solved', 3), part('0000000b', 10, 3)] };
-    const newer = { at: 2, parts: [part('0000000a', 40, 5), { key: '0000000c', mark: 3, fields: 'n=1' }] };
-    assert.deepEqual(merged(newer, older), {
-        at: 2,
-        parts: [older.parts[0], newer.parts[1], older.parts[1]],
-    });
+test('of two versions the solved one stays, then the one with a text, then the newer one', () => {
+    const [solved, cut] = [part('0000000a', 'solved', 3, 1), { ...part('0000000a', 'solved', 0, 9), fields: '' }];
+    const drafts = [
+        part('0000000a', 40, 5, 4),
+        part('0000000a', 30, 5, 5),
+        { ...part('0000000a', 50, 0, 8), fields: '' },
+    ];
+    for (const [versions, best] of /** @type {[Part[], Part | undefined][]} */ ([
+        [[solved, ...drafts], solved],
+        [[solved, cut], solved],
+        [[cut, ...drafts], cut],
+        [drafts, drafts[1]],
+    ]))
+        for (const order of [versions, [...versions].reverse()]) assert.deepEqual(joined(order, weightOf), [best]);
+});
+
+test('a state of very many lines is read and written in time that grows with their number', () => {
+    const lines = Array.from({ length: 60_000 }, (_, at) => `#v=1&k=${keyOf(String(at))}&mark=7&n=3`);
+    const read = readAttempt(['l-system 1 at=0', ...lines].join('\n'));
+    assert.equal(read?.parts.length, 500);
+    const parts = lines.map((_, at) => ({ id: String(at), time: 0, mark: 7, fields: 'n=3' }));
+    assert.equal(writeAttempt({ at: 0, parts }, 4096).dropped.length, lines.length);
 });
 
 test('answers lose what the package knows', () => {
     const link = '#v=1&x=abc&rules=F%20-%3E%20FF&n=3&by=Ada&hand=0';
     // The name stays: it decides on the student's variant.
     assert.equal(fieldsIn(link), 'rules=F%20-%3E%20FF&n=3&by=Ada');
-    assert.equal(linkOf({ key: '0000000a', mark: 12, fields: 'n=3' }), '#v=1&k=0000000a&mark=12&n=3');
+    assert.equal(linkOf({ id: '0000000a', mark: 12, fields: 'n=3' }), '#v=1&k=0000000a&mark=12&n=3');
 });
 
 test('times are those of the standard', () => {
@@ -170,6 +187,19 @@ for (const standard of /** @type {const} */ (['1.2', '2004'])) {
         assert.equal(anew.tell({ part: null, isPassed: false, answers: [] }), null);
     });
 }
+
+test('what a learning system says is cut', () => {
+    const said = 'x'.repeat(2_000_000);
+    const answers = { Initialize: 'true', GetValue: said, SetValue: 'false', Commit: 'false', GetErrorString: said };
+    const api = Object.fromEntries(
+        Object.entries({ ...answers, GetLastError: '7' }).map(([name, value]) => [`LMS${name}`, () => value]),
+    );
+    const scorm = createScorm('1.2', { from: { API: api, opener: null } });
+    assert.equal(scorm.open(), null);
+    assert.equal(scorm.read().state.length, scorm.longest);
+    assert.ok(scorm.read().student.length < 1000);
+    assert.ok(String(scorm.tell({ part: 0, isPassed: false, answers: [] })).length < 1000);
+});
 
 test('a window of another origin hides no error and no learning system', () => {
     const system = createStandIn('1.2', {});

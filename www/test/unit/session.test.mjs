@@ -1,40 +1,39 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createSession } from '../../js/session.js';
-import { MOST_SESSIONS, keepSession, openSession, readSessions } from '../../js/sessions.js';
-import { clean } from '../../js/state.js';
-import { createStorage } from '../../js/storage.js';
+import { createSession } from '../../js/state/session.js';
+import { joined } from '../../js/state/rows.js';
+import { MOST_SESSIONS, openSession, readSessions, sessionOf, tidySessions } from '../../js/state/sessions.js';
+import { clean } from '../../js/state/state.js';
+import { createStorage } from '../../js/state/storage.js';
 import { dice, randomState } from './random.mjs';
 
 test('a visit is restored with its state and Reset', () => {
     const roll = dice(5);
     for (let round = 0; round < 50; round++) {
         const [state, origin] = [randomState(roll), randomState(roll)];
-        const [session] = keepSession([], 'a', state, origin, round);
-        assert.ok(session);
-        assert.deepEqual(openSession(session), { state, origin });
+        assert.deepEqual(openSession({ ...sessionOf('a', state, origin), time: round }), { state, origin });
     }
 });
 
 test('the newest visits are kept, each once', () => {
-    /** @type {import('../../js/sessions.js').Session[]} */
+    /** @type {import('../../js/state/sessions.js').Session[]} */
     let list = [];
     for (let visit = 0; visit < 20; visit++) {
         for (const angle of [visit, visit + 0.5])
-            list = keepSession(list, `visit ${visit}`, clean({ angle }), clean({}), visit);
+            list = keepSession(list, `visit ${visit}`, clean({ angle }), visit + angle / 1000);
     }
     assert.equal(list.length, MOST_SESSIONS);
     assert.deepEqual(list.map(({ link }) => link).slice(0, 2), ['#v=1&angle=19.5', '#v=1&angle=18.5']);
-    const again = keepSession(list, 'another', clean({ angle: 18.5 }), clean({}), 20);
+    const again = keepSession(list, 'another', clean({ angle: 18.5 }), 20);
     assert.deepEqual(again.map(({ id }) => id).slice(0, 3), ['another', 'visit 19', 'visit 17']);
 });
 
 test('visits with long texts leave room in the storage', () => {
-    /** @type {import('../../js/sessions.js').Session[]} */
+    /** @type {import('../../js/state/sessions.js').Session[]} */
     let list = [];
     for (let visit = 0; visit < 6; visit++) {
         const state = clean({ axiom: `F%&[+]${'F-'.repeat(450_000)}`, angle: visit });
-        list = keepSession(list, `visit ${visit}`, state, state, visit);
+        list = keepSession(list, `visit ${visit}`, state, visit);
         assert.deepEqual(openSession(/** @type {any} */ (list[0]))?.state, state);
         assert.ok(JSON.stringify(list).length < 4_500_000);
     }
@@ -56,6 +55,10 @@ test('visits are read from any stored value', () => {
     assert.equal(openSession({ id: 'a', time: 0, link: 'no link', origin: '' }), null);
 });
 
+/** A list with a visit changed. @param {import('../../js/state/sessions.js').Session[]} list @param {string} id @param {import('../../js/state/state.js').State} state @param {number} time */
+const keepSession = (list, id, state, time) =>
+    tidySessions(joined([...list, { ...sessionOf(id, state, clean({})), time }], () => 0));
+
 /** A storage that holds `room` characters. @param {number} room @returns {Storage} */
 function area(room = Infinity) {
     /** @type {Map<string, string>} */
@@ -64,6 +67,7 @@ function area(room = Infinity) {
         get length() {
             return map.size;
         },
+        key: (/** @type {number} */ at) => [...map.keys()][at] ?? null,
         getItem: (/** @type {string} */ key) => map.get(key) ?? null,
         removeItem: (/** @type {string} */ key) => map.delete(key),
         setItem: (/** @type {string} */ key, /** @type {string} */ value) => {

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { withShape } from '../../js/shape-line.js';
+import { withShape } from '../../js/dialogs/shape-line.js';
 
 test('a shape is the first line of the rules, with a new name', () => {
     assert.deepEqual(withShape('F -> FF', 'ball(0, 0, 0, 1)'), ['shape form = ball(0, 0, 0, 1)\nF -> FF', 'form']);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from '../../js/share-code.js';
-import { clean } from '../../js/state.js';
+import { elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from '../../js/dialogs/share-code.js';
+import { clean } from '../../js/state/state.js';
 
 const STATE = clean({ title: 'A [wild] "weed"', axiom: 'A(1)', rules: 'A(x) -> F(x)', iterations: 3 });
 const PLAIN = { controls: [], theme: '', width: 480, height: 360 };

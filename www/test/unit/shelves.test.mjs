@@ -12,7 +12,7 @@ import {
     searchText,
     shelved,
     shortSource,
-} from '../../js/shelves.js';
+} from '../../js/dialogs/shelves.js';
 
 const DATA = new URL('../../../data_in/', import.meta.url);
 const files = readdirSync(DATA, { recursive: true, encoding: 'utf8' })

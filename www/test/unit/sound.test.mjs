@@ -2,9 +2,9 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { createFollower, strideOf } from '../../js/playback/follower.js';
-import { frequencyOf } from '../../js/playback/instrument.js';
-import { createTogether, timeText } from '../../js/playback/together.js';
+import { createFollower, strideOf } from '../../js/motion/follower.js';
+import { frequencyOf } from '../../js/motion/instrument.js';
+import { createTogether, timeText } from '../../js/motion/together.js';
 
 /** @typedef {import('../../js/protocol.js').Note} Note */
 
@@ -91,7 +91,7 @@ test('branches sound together, at their own times', (context) => {
     const played = /** @type {[number, number, number][]} */ ([]);
     const marked = /** @type {number[][][]} */ ([]);
     let hushed = 0;
-    let shown = /** @type {import('../../js/playback.js').Show | null} */ (null);
+    let shown = /** @type {import('../../js/motion/playback.js').Show | null} */ (null);
     const together = createTogether({
         now: () => now,
         play: ({ voice }, at, seconds) => void played.push([voice, at, seconds]),

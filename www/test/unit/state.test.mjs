@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { DEFAULTS, FIELDS, clean, problemOf, sameSystem } from '../../js/state.js';
+import { DEFAULTS, FIELDS, clean, merged, problemOf, sameSystem } from '../../js/state/state.js';
 
 test('defaults are valid and unchanged by cleaning', () => {
     assert.deepEqual(clean({}), DEFAULTS);
@@ -46,7 +46,7 @@ test('problems of values are described in words', () => {
     assert.equal(problemOf('growth', 'half'), 'must be a number from 0 to 1; it was left out');
     assert.match(problemOf('palette', []) ?? '', /^must be a list of 1 to 256 colours/);
     assert.match(problemOf('notes', 'x'.repeat(10_001)) ?? '', /at most 10,000 characters; the nearest/);
-    for (const [field, value] of /** @type {[import('../../js/state.js').FieldName, unknown][]} */ ([
+    for (const [field, value] of /** @type {[import('../../js/state/state.js').FieldName, unknown][]} */ ([
         ['angle', 1e9],
         ['rightAngle', null],
         ['rules', 'a\r\nb'],
@@ -69,4 +69,13 @@ test('texts are well formed, with plain line ends and a maximum length', () => {
 test('the view is not part of the system', () => {
     assert.ok(sameSystem(clean({ axiom: 'F' }), clean({ axiom: 'F', view: { x: 1, y: 1, zoom: 2 } })));
     assert.ok(!sameSystem(clean({ axiom: 'F' }), clean({ axiom: 'G' })));
+});
+
+test('changes of different fields go together, and of the same field do not', () => {
+    const base = clean({ axiom: 'F', angle: 25, seed: 1 });
+    const mine = { ...base, angle: 30, seed: 2 };
+    assert.deepEqual(merged(base, mine, { ...base, axiom: 'G', seed: 2 }), { ...mine, axiom: 'G' });
+    assert.equal(merged(base, mine, { ...base, angle: 31 }), null);
+    const view = { x: 1, y: 1, zoom: 2 };
+    assert.deepEqual(merged(base, { ...base, view }, { ...base, axiom: 'G' }), { ...base, axiom: 'G', view });
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { between, isFarOff, pan, placement, viewFrom, zoomAt } from '../../js/view.js';
+import { between, isFarOff, pan, placement, viewFrom, zoomAt } from '../../js/view/view.js';
 import { dice } from './random.mjs';
 
 /** Projects a point, in fitted extents from the fitted centre: CSS pixels right of and below the canvas's centre. */
@@ -71,7 +71,7 @@ test('interpolation reaches both ends', () => {
         { x: 0.2, y: -0.3, zoom: 500 },
         { x: 0, y: 0, zoom: 1 },
     ];
-    const numbers = (/** @type {import('../../js/state.js').View} */ { x, y, zoom }) => [x, y, zoom];
+    const numbers = (/** @type {import('../../js/state/state.js').View} */ { x, y, zoom }) => [x, y, zoom];
     near(numbers(between(from, to, 0)), numbers(from), 1e-9);
     near(numbers(between(from, to, 1)), numbers(to), 1e-9);
     near(numbers(between({ ...from, zoom: 1 }, to, 0.5)), [0.1, -0.15, 1], 1e-12);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Stopped, createQuestions } from '../../js/engine/questions.js';
 import { SILENCE, silenceAfter } from '../../js/engine/watchdog.js';
-import { DEFAULTS, definitionOf } from '../../js/state.js';
+import { DEFAULTS, definitionOf } from '../../js/state/state.js';
 
 test('silence counts only while the page is visible and the machine awake', () => {
     let silent = 0;

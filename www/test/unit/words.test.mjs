@@ -4,8 +4,8 @@ import { linesOf } from '../../js/controls/editor.js';
 import { stopsOf } from '../../js/controls/dial.js';
 import { needsNewScale, scaleAbout, writtenAs } from '../../js/controls/scale.js';
 import { even, nearest } from '../../js/controls/slider.js';
-import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/numerals.js';
-import { carryOver, spansOf } from '../../js/tint.js';
+import { grouped, plain, readNumber, short, shortText, zoomText } from '../../js/base/numerals.js';
+import { carryOver, spansOf } from '../../js/controls/tint.js';
 import { dice, randomState } from './random.mjs';
 
 test('counts are shown in full up to nine digits, and shortened beyond', () => {

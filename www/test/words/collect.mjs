@@ -6,7 +6,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { parse } from 'acorn';
 import { parseHTML } from 'linkedom';
-import { READ, SAME, sentence } from '../../js/words.js';
+import { READ, SAME, sentence } from '../../js/base/words.js';
 
 const root = new URL('../../../', import.meta.url);
 /** @param {string} name */
@@ -150,7 +150,7 @@ function ofTables(add) {
             if (node.type !== 'Property') return;
             const [key, text] = [node.key.name ?? node.key.value, literal(node.value)];
             if (text !== null && ['label', 'help', 'task', 'unit', 'expected'].includes(key)) add(name, text);
-            if (text !== null && key === 'help') told.push(text);
+            if (text && key === 'help') told.push(text);
             // The names of choices.
             if (key === 'words')
                 visit(node.value, (inside) => inside.type === 'Property' && add(name, literal(inside.value) ?? ''));
