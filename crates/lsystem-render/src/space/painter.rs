@@ -18,8 +18,9 @@ use std::collections::VecDeque;
 const THICKER: f64 = 1.25;
 /// The units of work for a line, a triangle or a dot, without its samples.
 pub(super) const LINE_WORK: i64 = 4;
-/// Samples in a unit of work.
+/// Samples of a round stick in a unit of work, and of a flat triangle, which only compares depths.
 const SAMPLES_WORK: i64 = 8;
+const FLAT_SAMPLES_WORK: i64 = 32;
 
 /// A shape that is painted on a tile.
 #[derive(Clone, Copy)]
@@ -27,6 +28,13 @@ enum Primitive {
     Stick(Stick),
     Face(Face),
     Dot(Dot),
+}
+
+impl Primitive {
+    /// The units of work for so many samples.
+    fn work(&self, samples: usize) -> i64 {
+        samples as i64 / if matches!(self, Self::Face(_)) { FLAT_SAMPLES_WORK } else { SAMPLES_WORK }
+    }
 }
 
 /// Paints a tile. Functions that paint return the units of work.
@@ -159,7 +167,7 @@ impl TilePainter {
         }
         let Painted { looked, rest } = self.band(setup, &primitive, 0);
         self.primitives.extend(rest.map(|from| (primitive, from)));
-        LINE_WORK + looked as i64 / SAMPLES_WORK
+        LINE_WORK + primitive.work(looked)
     }
 
     /// Paints the next band of an unfinished primitive; `None` if there is none.
@@ -173,7 +181,7 @@ impl TilePainter {
         if let Some(from) = rest {
             self.primitives.push_front((primitive, from));
         }
-        let cost = looked as i64 / SAMPLES_WORK;
+        let cost = primitive.work(looked);
         meter.charge(cost.unsigned_abs());
         Some(cost)
     }
