@@ -51,6 +51,8 @@ pub(super) struct Light {
     inverse: f64,
     centre: Vector,
     pub(super) kind: LightKind,
+    /// The part of full light, by channel, in simple light.
+    pub(super) dim: [f32; 3],
     /// The unit vector up in the model, as the lens sees it.
     pub(super) up: Vector,
 }
@@ -96,6 +98,7 @@ impl Light {
             inverse: 1.0 / lens.radius,
             centre: lens.centre,
             kind,
+            dim: [1.0; 3],
             up: lens.up,
         }
     }
@@ -195,7 +198,7 @@ impl Light {
         let shine = fourth * fourth * (255.0 * GLOSS) * open;
         let mut packed = [0xff00_0000; LANES];
         for (i, (ink, background)) in ink.iter().zip(self.background).enumerate() {
-            let lit = strength * *ink + shine;
+            let lit = (strength * *ink + shine) * self.dim[i];
             let hazy = lit + (Lanes::all(background) - lit) * haze;
             let bytes = hazy.at_least(0.0).at_most(255.0).bytes();
             packed.iter_mut().zip(bytes).for_each(|(packed, byte)| *packed |= byte << (8 * i));
@@ -242,7 +245,7 @@ impl Light {
         }
         let mut packed = 0xff00_0000;
         for (i, (ink, background)) in ink.iter().zip(self.background).enumerate() {
-            let lit = ink * strength + shine;
+            let lit = (ink * strength + shine) * self.dim[i];
             let hazy = lit + (background - lit) * spot.haze;
             packed |= u32::from((hazy + 0.5) as u8) << (8 * i);
         }

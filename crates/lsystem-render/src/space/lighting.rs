@@ -111,6 +111,11 @@ impl Lighting {
         [viewport.width, viewport.height].map(|pixels| ((f64::from(pixels) / cell).ceil() as usize).max(1))
     }
 
+    /// The style of the picture whose light this is.
+    pub(super) fn style(&self) -> Option<&Style> {
+        self.made.as_ref().map(|(style, ..)| style)
+    }
+
     /// Forgets the light, because the drawing has changed.
     pub(super) fn forget(&mut self) {
         self.made = None;
@@ -197,7 +202,7 @@ impl Lighting {
         if row.is_multiple_of(BLOCK) {
             spare.forget(row, out.len());
         }
-        let Spare { seen, around, shades } = spare;
+        let Spare { seen, around, shades, sums } = spare;
         let painted = tile.painted(row, LANES).map(|end| end.min(out.len()));
         let y = at[1] + row;
         let shaded = self.ground.columns(y).map(|end| end.saturating_sub(at[0]).min(out.len()));
@@ -219,6 +224,7 @@ impl Lighting {
                 Some((near, far)) => {
                     let (at, seen, around) = ([at[0] + i, y], &mut seen[i / BLOCK], &mut around[i / AROUND]);
                     let lit = self.lit(near, at, light, seen, around);
+                    *sums = [sums[0] + near.colour, sums[1] + lit];
                     match far {
                         Some(far) => (near.count + far.count, lit + self.lit(far, at, light, seen, around)),
                         None => (near.count, lit),
@@ -327,6 +333,8 @@ pub(super) struct Spare {
     around: Vec<Option<Around>>,
     /// By pixel: the part of the background that the shade on the ground covers.
     shades: Vec<f32>,
+    /// The colours of all nearest surfaces in full light, and in their own.
+    pub(super) sums: [Lanes; 2],
 }
 
 impl Spare {

@@ -1,6 +1,7 @@
 //! The descent through a scene, tile by tile and from front to back. An explicit stack lets the descent stop anywhere.
 
 use super::effort::Spent;
+use super::lanes::Lanes;
 use super::light::LightKind;
 use super::lighting::Lighting;
 use super::open_node::{Entry, OpenNode};
@@ -52,6 +53,8 @@ pub(super) struct Picture {
     before: i64,
     /// Whether the budget was too small for some node.
     lacks_budget: bool,
+    /// The sums of colours in full light and in their own, of a picture with shadows.
+    colours: [Lanes; 2],
 }
 
 impl Picture {
@@ -69,14 +72,16 @@ impl Picture {
         is_transparent: bool,
         only_ink: Option<Pigment>,
     ) -> u64 {
-        let Plan { style, viewport, camera, quality, pane: only } = plan;
+        let Plan { style, viewport, camera, quality, dim, pane: only } = plan;
         let (viewport, quality) = (*viewport, *quality);
         let (pane, pass) =
             only.map_or((Pane::whole(viewport), Pass::Only), |only| (only.pane.within(viewport), only.pass));
         let budget = only.map(|only| only.budget);
         let [r, g, b] = style.background.rgb;
         let paper = if is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
-        let setup = Setup::new(drawing, style, viewport, camera, quality, (pane, budget), paper);
+        let mut setup = Setup::new(drawing, style, viewport, camera, quality, (pane, budget), paper);
+        setup.light.dim = *dim;
+        self.colours = [Lanes::all(0.0); 2];
         let size = if style.ink == Ink::Density {
             self.pixels.outline(pane);
             self.setup = Some(setup.additive(pane));
@@ -120,6 +125,12 @@ impl Picture {
     /// The first depths of a row of a depth picture.
     pub(super) fn depths(&mut self, row: usize, count: usize) -> &[f32] {
         self.painter.tile.row(row, [0, count - 1]).0
+    }
+
+    /// How much darker than full light shadows make the drawing on the whole, by channel; `None` without shadows.
+    pub(super) fn dim(&self) -> Option<[f32; 3]> {
+        let [full, lit] = self.colours;
+        (full.0[1] > 0.0).then(|| [0, 1, 2].map(|i| (lit.0[i] / full.0[i].max(1.0)).min(1.0)))
     }
 
     /// The work of the picture, or of the pane, so far with its present budget.
@@ -194,7 +205,8 @@ impl Picture {
             self.painting = false;
             if setup.light.kind == LightKind::Full {
                 let corner = setup.corner.map(|c| c as usize / setup.samples);
-                self.pixels.put_lit(&self.painter.tile, (at, side), corner, &setup.light, lighting);
+                let [full, lit] = self.pixels.put_lit(&self.painter.tile, (at, side), corner, &setup.light, lighting);
+                self.colours = [self.colours[0] + full, self.colours[1] + lit];
                 meter.charge((size[0] * size[1]) as u64 / LIT_WORK);
             } else {
                 self.pixels.put(&self.painter.tile, at, side, setup.samples);

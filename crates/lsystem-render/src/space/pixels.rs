@@ -1,5 +1,6 @@
 //! The pixels of a picture in space. Finished tiles are copied into them.
 
+use super::lanes::Lanes;
 use super::light::Light;
 use super::lighting::{Lighting, Spare};
 use super::tile::ScreenTile;
@@ -89,6 +90,7 @@ impl Pixels {
     }
 
     /// As [`Pixels::put`], in the light of a picture at rest. `corner` is the place of these pixels in the whole picture.
+    /// Returns the sums of colours in full light and in their own.
     pub(super) fn put_lit(
         &mut self,
         tile: &ScreenTile,
@@ -96,7 +98,7 @@ impl Pixels {
         corner: [usize; 2],
         light: &Light,
         lighting: &Lighting,
-    ) {
+    ) -> [Lanes; 2] {
         let [x, y] = [0, 1].map(|i| at[i] * side[i]);
         let right = (x + side[0]).min(self.width);
         let place = [corner[0] + x, corner[1] + y];
@@ -109,6 +111,7 @@ impl Pixels {
                 self.note(row, [x + from, x + to]);
             }
         }
+        spare.sums
     }
 
     /// Notes that pixels of a row have been painted.

@@ -11,6 +11,8 @@ pub(super) struct Plan {
     pub(super) viewport: Viewport,
     pub(super) camera: Camera,
     pub(super) quality: Quality,
+    /// The part of full light, by channel, in a picture without shadows.
+    pub(super) dim: [f32; 3],
     /// If given, only this pane is made.
     pub(super) pane: Option<PlannedPane>,
 }

@@ -28,6 +28,8 @@ pub struct SolidRenderer {
     at: usize,
     /// The picture that was asked for, until the scene is ready.
     plan: Option<Plan>,
+    /// How dark shadows make pictures of a style at rest on the whole: moving pictures have no shadows.
+    dim: Option<(Style, [f32; 3])>,
     /// Whether the background is left out.
     is_transparent: bool,
     spent: u64,
@@ -78,7 +80,9 @@ impl SolidRenderer {
             let other = usize::from(self.at == 0);
             self.at = (0..2).find(|&at| self.pictures[at].fits(viewport)).unwrap_or(other);
         }
-        self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality, pane: None });
+        let known = self.dim.as_ref().filter(|(known, _)| style.shadows && known == style);
+        let dim = known.map_or([1.0; 3], |(_, dim)| *dim);
+        self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality, dim, pane: None });
     }
 
     /// The panes of a picture in the finest quality: its tiles, row by row. Panes have the same pixels as the whole
@@ -103,7 +107,8 @@ impl SolidRenderer {
     ) {
         let pane = Some(PlannedPane { pane, pass, budget });
         self.at = 2;
-        self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality: Quality::FINEST, pane });
+        let (style, camera, dim) = (style.clone(), *camera, [1.0; 3]);
+        self.plan = Some(Plan { style, viewport, camera, quality: Quality::FINEST, dim, pane });
     }
 
     /// The work of the picture, or of the pane, so far with its present budget.
@@ -143,7 +148,13 @@ impl SolidRenderer {
             meter.charge(self.pictures[self.at].begin(drawing, plan, self.is_transparent, self.scene.only_ink()));
             self.plan = None;
         }
-        self.pictures[self.at].step(&self.scene, &self.lighting, meter)
+        let progress = self.pictures[self.at].step(&self.scene, &self.lighting, meter);
+        if progress == Progress::Done
+            && let (Some(dim), Some(style)) = (self.pictures[self.at].dim(), self.lighting.style())
+        {
+            self.dim = Some((style.clone(), dim));
+        }
+        progress
     }
 
     /// Makes the rest of the picture with `part` (0 to 1) of its budget.

@@ -80,19 +80,20 @@ impl SceneNode {
 pub(super) struct Summary {
     /// The ball around the node.
     centre: Vector,
-    radius: f64,
+    pub(super) radius: f64,
     /// The length of all strokes and of the longest sides of triangles.
     pub(super) length: f32,
     /// The area of all triangles.
-    area: f32,
+    pub(super) area: f32,
     pub(super) bundle: Bundle,
     /// The change of the width at entry to an upper bound of all widths inside.
     pub(super) widest: WidthChange,
     pub(super) main_line: MainLine,
     /// The strokes and nodes inside, counted as often as they occur; at most [`MAX_NEED`].
     pub(super) need: f32,
-    /// The mean length of the sample strokes.
+    /// The mean length of the samples, and the part of them that are triangles.
     pub(super) sampled: f32,
+    pub(super) faces: f32,
     /// The number of segments.
     count: Amount,
 }
@@ -113,41 +114,50 @@ pub(super) struct MainLine {
     pub(super) before: f64,
 }
 
-/// A random stroke of a node. Sample strokes stand for a node that the budget does not allow to look into.
+/// A random stroke or triangle of a node. Samples stand for a node that the budget does not allow to look into.
 #[derive(Clone, Copy)]
 pub(super) struct SampleStroke {
+    /// The ends of a stroke, or of a triangle's longest side.
     pub(super) from: [f32; 3],
     pub(super) to: [f32; 3],
-    style: SampleStyle,
+    colour: ColourChange,
+    level: u32,
+    /// Factor and offset of a stroke's width and of its next width, which are not numbers if there is none; or a
+    /// triangle's third corner and [`FACE`]. One field for both, because samples take a third of a scene's memory.
+    shape: [f32; 4],
     /// The part of the node's segments that comes before.
     pub(super) before: f32,
 }
 
+/// Stands behind the corner of a triangle.
+const FACE: f32 = f32::INFINITY;
+
 impl SampleStroke {
-    pub(super) fn style(&self) -> StyleChange {
-        let SampleStyle { colour, level, width, next } = self.style;
-        let change = |[factor, offset]: [f32; 2]| WidthChange { factor: factor.into(), offset: offset.into() };
-        StyleChange { colour, width: change(width), level, next: (!next[0].is_nan()).then(|| change(next)) }
-    }
-}
-
-/// A [`StyleChange`] in less than half its bytes: samples take a third of a scene's memory.
-#[derive(Clone, Copy)]
-struct SampleStyle {
-    colour: ColourChange,
-    level: u32,
-    /// Factor and offset.
-    width: [f32; 2],
-    /// As `width`; not numbers if there is none.
-    next: [f32; 2],
-}
-
-impl From<&StyleChange> for SampleStyle {
-    fn from(&StyleChange { colour, width, level, next }: &StyleChange) -> Self {
+    fn new([from, to]: [[f32; 3]; 2], corner: Option<[f32; 3]>, style: &StyleChange, before: f32) -> Self {
+        let &StyleChange { colour, width, level, next } = style;
         let short = |WidthChange { factor, offset }: WidthChange| {
             [factor, offset].map(|number| number.clamp(f32::MIN.into(), f32::MAX.into()) as f32)
         };
-        Self { colour, level, width: short(width), next: next.map_or([f32::NAN; 2], short) }
+        let shape = match (corner, short(width), next.map_or([f32::NAN; 2], short)) {
+            (Some([x, y, z]), ..) => [x, y, z, FACE],
+            (None, [factor, offset], [next, then]) => [factor, offset, next, then],
+        };
+        Self { from, to, colour, level, shape, before }
+    }
+
+    /// A triangle's third corner; `None` for a stroke.
+    pub(super) fn corner(&self) -> Option<[f32; 3]> {
+        let [x, y, z, kind] = self.shape;
+        (kind == FACE).then_some([x, y, z])
+    }
+
+    pub(super) fn style(&self) -> StyleChange {
+        let Self { colour, level, shape: [factor, offset, next, then], .. } = *self;
+        let change = |factor: f32, offset: f32| WidthChange { factor: factor.into(), offset: offset.into() };
+        if self.corner().is_some() {
+            return StyleChange { colour, level, ..StyleChange::NONE };
+        }
+        StyleChange { colour, width: change(factor, offset), level, next: (!next.is_nan()).then(|| change(next, then)) }
     }
 }
 

@@ -5,13 +5,20 @@ use super::open_node::{Entry, OpenNode};
 use super::painter::TilePainter;
 use super::path::Stretch;
 use super::place::Place;
-use super::scene::{Link, SampleStroke, Scene, SceneNode};
+use super::scene::{Link, SampleStroke, Scene, SceneNode, Summary};
 use super::setup::Setup;
 use super::stroke::{Dot, span};
 use super::tile::ScreenTile;
 use crate::ink::{Amount, Shade};
-use lsystem_drawing::rotation::{minus, norm};
+use lsystem_drawing::rotation::{self, Vector, minus, norm};
 
+/// As many triangles stand for those of a node, though its share may allow fewer strokes: two or three large ones would
+/// be seen as such.
+const FACES: usize = 8;
+/// Half the length of a leaf that stands for others, at most: in the radius of their node, and in the length of those.
+const LONGEST: [f64; 2] = [0.4, 2.0];
+/// The breadth of such a leaf, in its length.
+const BROAD: f64 = 0.5;
 /// A main line stands out if it is longer than this factor times the mean length of the sample strokes.
 const OUTSTANDING: f64 = 2.0;
 
@@ -109,8 +116,8 @@ pub(super) fn main_line(painter: &mut TilePainter, scene: &Scene, setup: &Setup,
     parts.map(|(ends, widths)| painter.stick(setup, ends.map(|end| place.point(end)), widths, 1.0, ink)).sum()
 }
 
-/// Paints as many strokes of a node as its share allows: the main line if it stands out, and sample strokes that face
-/// the viewer.
+/// Paints as many strokes of a node as its share allows: the main line if it stands out, and samples that face the
+/// viewer. Fewer and larger leaves stand for all, so that a crown has its ink whatever the share.
 pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, entry: &Entry) -> i64 {
     let Entry { place, shade, path, widths, share } = *entry;
     let own = &scene.nodes[id as usize].summary;
@@ -131,8 +138,10 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, i
         return all.iter().map(stroke).sum();
     }
     let count = count.min(all.len());
+    let leaves = if own.area > 0.0 { count.max(FACES).min(all.len()) } else { 0 };
+    let leaf = leaf_of(own, place.scale, leaves);
     let order = place.facing(all.len());
-    let samples = order.into_iter().take(count - usize::from(outstanding)).filter_map(|k| all.get(usize::from(k)));
+    let samples = order.into_iter().filter_map(|k| all.get(usize::from(k))).take(count.max(leaves)).enumerate();
     // The sample strokes are made thicker, so that together they cover as much as all strokes of the node.
     let thicker = own.length / (count as f32 * own.sampled);
     let mut cost = 0;
@@ -142,12 +151,46 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, i
             cost += painter.stick(setup, ends.map(|end| place.point(end)), widths, 1.0, ink);
         }
     }
-    for sample in samples {
+    for (number, sample) in samples {
         let ends = [sample.from, sample.to].map(|end| place.point(end.map(f64::from)));
         let style = sample.style();
         let shade = scene.choice.then(shade, scene.choice.shade(&style));
         let ink = scene.ink(shade, path, f64::from(sample.before));
-        cost += painter.stick(setup, ends, widths.after(&style), thicker, ink);
+        if let Some(corner) = sample.corner() {
+            let corner = place.point(corner.map(f64::from));
+            cost += rhombus(ends, corner, leaf).into_iter().map(|face| painter.face(setup, face, ink)).sum::<i64>();
+        } else if number < count - usize::from(outstanding) {
+            cost += painter.stick(setup, ends, widths.after(&style), thicker, ink);
+        }
     }
     cost
+}
+
+/// Half the length of each leaf, so that those among `count` samples cover what all triangles of a node do, where many
+/// lie behind each other.
+fn leaf_of(own: &Summary, scale: f64, count: usize) -> f64 {
+    let radius = own.radius * scale;
+    // A triangle in a random direction shows half its area.
+    let ball = 2.0 * core::f64::consts::PI * radius * radius;
+    let area = f64::from(own.area) * scale * scale;
+    let covered = ball * (1.0 - libm::exp(-area / ball.max(f64::MIN_POSITIVE)));
+    let each = covered / (f64::from(own.faces) * count as f64).max(1.0);
+    let [in_node, in_leaf] = LONGEST;
+    (each / (2.0 * BROAD)).sqrt().min(in_node * radius).min(in_leaf * f64::from(own.sampled) * scale)
+}
+
+/// The two triangles of a leaf of this half length, in the place of a triangle with these `ends` of its longest side.
+fn rhombus(ends: [Vector; 2], corner: Vector, half: f64) -> [[Vector; 3]; 2] {
+    let way = minus(ends[1], ends[0]);
+    let aside = minus(corner, ends[0]);
+    let part = rotation::dot(aside, way) / rotation::dot(way, way).max(f64::MIN_POSITIVE);
+    let across = [0, 1, 2].map(|i| aside[i] - part * way[i]);
+    let [along, across] = [(way, half), (across, BROAD * half)].map(|(to, size)| {
+        let factor = size / norm(to).max(f64::MIN_POSITIVE);
+        to.map(|c| c * factor)
+    });
+    let middle = [0, 1, 2].map(|i| (ends[0][i] + ends[1][i] + corner[i]) / 3.0);
+    let at = |way: Vector, sign: f64| [0, 1, 2].map(|i| middle[i] + sign * way[i]);
+    let tips = [at(along, -1.0), at(along, 1.0)];
+    [1.0, -1.0].map(|sign| [tips[0], at(across, sign), tips[1]])
 }

@@ -36,6 +36,12 @@ fn tapering() -> System {
     system
 }
 
+/// ABOP 1.25 with its leaves.
+fn leafy_bush() -> System {
+    let rules = "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^{-f+f+f-|-f+f+f}]";
+    system(Dialect::Abop, "A", rules, 22.5)
+}
+
 pub(super) fn drawing(system: &System, n: u32) -> Arc<Drawing<Solid>> {
     Arc::new(draw::<Solid>(system, n, &Limits::default()).unwrap())
 }
@@ -198,6 +204,69 @@ fn styles() -> [Style; 3] {
 fn all_styles() -> Vec<Style> {
     let lit = styles().map(|style| Style { shadows: true, ..style });
     [styles(), lit].concat()
+}
+
+/// The part of a picture that is ink, and its mean colour.
+fn ink(pixels: &[u8], style: &Style) -> (f64, [f64; 3]) {
+    let paper = style.background.rgb.map(i32::from);
+    let is_ink = |pixel: &&[u8]| pixel.iter().zip(paper).any(|(&a, b)| (i32::from(a) - b).abs() > 24);
+    let inked: Vec<&[u8]> = pixels.chunks(4).filter(is_ink).collect();
+    let mean = [0, 1, 2].map(|i| inked.iter().map(|pixel| f64::from(pixel[i])).sum::<f64>() / inked.len() as f64);
+    (inked.len() as f64 / (pixels.len() / 4) as f64, mean)
+}
+
+/// Fewer and larger leaves stand for all, whatever the budget.
+#[test]
+fn a_moving_crown_has_the_ink_of_a_crown_at_rest() {
+    let drawing = drawing(&leafy_bush(), 7);
+    let style = Style { shadows: false, ..Style::default() };
+    let viewport = Viewport { width: 480, height: 360, ratio: 1.0 };
+    let part = |quality| ink(&picture(&drawing, &style, viewport, &Camera::default(), quality, 10_000), &style).0;
+    let rest = part(Quality::FINEST);
+    for quality in [0, 4, 8, Quality::MOVING.0] {
+        let part = part(Quality(quality)) / rest;
+        assert!((0.85..1.15).contains(&part), "{part} at {quality}");
+    }
+}
+
+/// Large leaves that hide each other are no crowd.
+#[test]
+fn leaves_at_rest_are_those_of_a_file() {
+    let rules = "A(l) -> F(l)[&(11)/(36)A(l*0.81)]/(137.5)[&(52)/(119)A(l*0.74)]/(137.5)[&(26)/(99)A(l*0.76)]\
+        /(137.5)[&(43)/(88)A(l*0.6)]\ndraw:\nA(l) -> F(l*0.6)[&(38)L(l*1.81)]/(120)[&(62)L(l*1.81)]/(120)[&(50)L(l*1.81)]";
+    let definition = Definition {
+        dialect: Dialect::Abop,
+        axiom: "F(11)A(35)".to_owned(),
+        rules: rules.to_owned(),
+        overrides: "L: leaf heart 1".to_owned(),
+        ..Definition::default()
+    };
+    let drawing = drawing(&System::new(&definition).unwrap(), 5);
+    let style = Style { shadows: false, ..Style::default() };
+    let viewport = Viewport { width: 1280, height: 720, ratio: 1.0 };
+    let pictures = [Quality::FINEST, Quality::BEST]
+        .map(|quality| picture(&drawing, &style, viewport, &Camera::default(), quality, 10_000));
+    let others = pictures[0].chunks(4).zip(pictures[1].chunks(4)).filter(|(screen, file)| screen != file).count();
+    assert!(others * 50 < 1280 * 720, "{others} pixels");
+}
+
+/// Moving pictures have no shadows, but are as dark as the last picture at rest.
+#[test]
+fn a_moving_crown_is_as_dark_as_at_rest() {
+    let style = Style::default();
+    let viewport = Viewport { width: 480, height: 360, ratio: 1.0 };
+    let mut renderer = SolidRenderer::new();
+    renderer.load(drawing(&leafy_bush(), 7));
+    let mut mean = |quality| {
+        renderer.begin(&style, viewport, &Camera::default(), quality);
+        while renderer.step(10_000) == Progress::More {}
+        // The shade on the ground is lighter than any leaf.
+        let leaves = renderer.pixels().chunks(4).filter(|pixel| pixel[1] < 160);
+        let (sum, count) = leaves.fold((0.0, 0.0), |(sum, count), pixel| (sum + f64::from(pixel[1]), count + 1.0));
+        sum / count
+    };
+    let [before, rest, after] = [Quality::MOVING, Quality::FINEST, Quality::MOVING].map(&mut mean);
+    assert!((after - rest).abs() < (before - rest).abs(), "{before}, {rest}, {after}");
 }
 
 /// No stroke is left out. Pictures may differ by rounding, and in which of two equally deep strokes is in front.

@@ -13,7 +13,7 @@ fn light(drawing: &Arc<Drawing<Solid>>, viewport: Viewport, camera: Camera) -> L
     assert_eq!(scene.step(drawing, &mut meter), Progress::Done);
     assert_eq!(scene.dye(&style, &mut meter), Progress::Done);
     let mut lighting = Lighting::default();
-    lighting.begin(drawing, &Plan { style, viewport, camera, quality: Quality::FINEST, pane: None });
+    lighting.begin(drawing, &Plan { style, viewport, camera, quality: Quality::FINEST, dim: [1.0; 3], pane: None });
     assert_eq!(lighting.step(&scene, &mut meter), Progress::Done);
     lighting
 }

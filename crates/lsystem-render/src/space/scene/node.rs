@@ -91,9 +91,9 @@ impl Scene {
         let main_line = longest(&main_lines);
         let needs = run.links.iter().map(|link| self.nodes[link.node as usize].summary.need);
         let need = (needs.sum::<f32>() + contents as f32).min(MAX_NEED);
-        let sampled = self.sample(&run, length);
+        let [sampled, faces] = self.sample(&run, length);
         let summary =
-            Summary { centre, radius, length, area, bundle, widest, main_line, need, sampled, count: run.count };
+            Summary { centre, radius, length, area, bundle, widest, main_line, need, sampled, faces, count: run.count };
         self.nodes.push(SceneNode {
             balls,
             first_link: self.links.len() as u32,
@@ -126,10 +126,10 @@ impl Scene {
 
     /// Chooses the sample strokes of a new node from those of its contents. Each stands for a direction, because only
     /// the outer strokes of a crowd can be seen. Two random contents are compared, weighted by length, and the one
-    /// whose sample stroke lies farther in the direction gives its stroke. Returns the mean length.
-    pub(super) fn sample(&mut self, run: &Run, length: f32) -> f32 {
+    /// whose sample lies farther in the direction gives its sample. Returns the mean length, and the part of triangles.
+    pub(super) fn sample(&mut self, run: &Run, length: f32) -> [f32; 2] {
         let kept = self.kept;
-        let nothing = SampleStroke { from: [0.0; 3], to: [0.0; 3], style: (&StyleChange::NONE).into(), before: 0.0 };
+        let nothing = SampleStroke::new([[0.0; 3]; 2], None, &StyleChange::NONE, 0.0);
         let mut passed = 0.0;
         let mut ends = [0.0_f32; WIDTH];
         let lengths =
@@ -145,7 +145,7 @@ impl Scene {
             let mark = (state >> 8) as f32 * limit / (1 << 24) as f32;
             ends[..count].iter().position(|&end| mark < end).unwrap_or(count - 1)
         };
-        let mut sum = 0.0;
+        let (mut sum, mut faces) = (0.0, 0.0);
         for k in 0..kept {
             let towards = direction(k, kept);
             let mut best = (f64::NEG_INFINITY, nothing);
@@ -157,17 +157,18 @@ impl Scene {
                         let facing = (0..kept)
                             .max_by(|&a, &b| dot(direction(a, kept), own).total_cmp(&dot(direction(b, kept), own)));
                         let sample = self.samples[link.node as usize * kept + facing.unwrap_or(0)];
-                        let [from, to] = [sample.from, sample.to].map(|end| {
-                            let [x, y, z] = combine(&link.axes, end.map(f64::from));
+                        let outer = |point: [f32; 3]| {
+                            let [x, y, z] = combine(&link.axes, point.map(f64::from));
                             [link.at[0] + x, link.at[1] + y, link.at[2] + z].map(|c| c as f32)
-                        });
+                        };
                         let style = self.styles[link.style as usize].then(&sample.style());
                         let before = link.before + link.part * f64::from(sample.before);
-                        SampleStroke { from, to, style: (&style).into(), before: before as f32 }
+                        let ends = [sample.from, sample.to].map(outer);
+                        SampleStroke::new(ends, sample.corner().map(outer), &style, before as f32)
                     }
                     None => match run.lines.get(lane - run.links.len()) {
-                        Some(&SceneLine { from, to, style, before, .. }) => {
-                            SampleStroke { from, to, style: (&self.styles[style as usize]).into(), before }
+                        Some(&SceneLine { from, to, corner, style, before }) => {
+                            SampleStroke::new([from, to], corner, &self.styles[style as usize], before)
                         }
                         None => nothing,
                     },
@@ -180,9 +181,10 @@ impl Scene {
             }
             let sample = best.1;
             sum += norm([0, 1, 2].map(|i| f64::from(sample.to[i] - sample.from[i]))) as f32;
+            faces += f32::from(sample.corner().is_some());
             self.samples.push(sample);
         }
-        sum / kept as f32
+        [sum, faces].map(|sum| sum / kept as f32)
     }
 }
 
