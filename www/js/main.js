@@ -248,7 +248,7 @@ function sounded(show) {
 /** @param {Report} next @param {boolean} past whether the report is about the last good state */
 function reported(next, past) {
     // Do not report the intermediate states of growth and wind.
-    if (!growing.running && !wind.blowing) report(next, past);
+    if (!growing.moves && !wind.moves) report(next, past);
 }
 
 /** @param {import('./engine/engine.js').Drawn} picture */

@@ -13,24 +13,38 @@ const PATIENCE_MS = 4000;
  * @param {import('../engine/engine.js').Engine} engine
  * @param {Page} page
  * @param {object} motion
- * @param {() => void} motion.start
+ * @param {() => void} motion.start is called before the still drawing is shown
  * @param {(time: number) => boolean} motion.tick is called for each frame with the milliseconds since the last one that it took
  * @param {() => number} motion.part how much is done, from 0 to 1
  * @param {() => string} motion.words
  * @param {(part: number) => void} motion.seek
- * @param {() => void} motion.ended
+ * @param {() => void} [motion.ended]
  */
 export function createAnimation(toggle, store, engine, { begins, present }, { start, tick, part, words, seek, ended }) {
     let running = false;
-    const frames = createFrames(tick);
+    /** The still drawing, whose picture comes first: its frame is that of the motion. Null once it is shown. @type {import('../state/state.js').Definition | null} */
+    let still = null;
+    const frames = createFrames((time) => !isSettled() || tick(time));
     const { pause, resume } = frames;
+
+    function isSettled() {
+        if (still && engine.good.definition === still) still = null;
+        return still === null;
+    }
+
+    /** Draws the still drawing first. */
+    function settle() {
+        still = definitionOf(store.state);
+        frames.drawn();
+        engine.define(still);
+    }
 
     function begin() {
         begins();
         running = true;
         toggle.setAttribute('aria-pressed', 'true');
-        frames.drawn();
         start();
+        settle();
         resume();
         present(show);
     }
@@ -39,10 +53,11 @@ export function createAnimation(toggle, store, engine, { begins, present }, { st
     function forget() {
         if (!running) return;
         running = false;
+        still = null;
         pause();
         toggle.setAttribute('aria-pressed', 'false');
         present(null);
-        ended();
+        ended?.();
     }
 
     /** Stops, and draws the state again. */
@@ -70,6 +85,7 @@ export function createAnimation(toggle, store, engine, { begins, present }, { st
         },
         seek(to) {
             pause();
+            still = null;
             seek(to);
             present(show);
         },
@@ -79,10 +95,15 @@ export function createAnimation(toggle, store, engine, { begins, present }, { st
     toggle.addEventListener('click', () => (running ? stop() : begin()));
 
     return {
-        get running() {
-            return running;
+        /** Whether the engine shows a moment of the motion instead of the store's state. */
+        get moves() {
+            return running && still === null;
         },
         begin,
+        /** The state has changed, and the engine already draws it: the motion goes on with the new drawing. */
+        edited() {
+            if (running) settle();
+        },
         /** Shows a moment of the motion. @param {import('../state/state.js').Definition} moment */
         draw(moment) {
             frames.asked();

@@ -35,7 +35,7 @@ export function duration(iterations) {
 export function createGrowing(store, engine, page) {
     /** The generation, with the part of the next one that has grown. */
     let grown = 0;
-    /** The generation that was requested last. */
+    /** The generation that was requested last, or -1. */
     let requested = -1;
     /** Seconds of the whole animation. */
     let seconds = 0;
@@ -45,6 +45,10 @@ export function createGrowing(store, engine, page) {
 
     /** @param {number} time */
     function tick(time) {
+        if (requested < 0) {
+            request(0);
+            return true;
+        }
         if (reducedMotion() && time < REDUCED_MOTION_MS) return false;
         const next = reducedMotion() ? Math.floor(grown) + 1 : grown + (time / 1000 / seconds) * iterations();
         if (next >= iterations()) animation.stop();
@@ -65,7 +69,7 @@ export function createGrowing(store, engine, page) {
         start() {
             seconds = greeting ? GREETING : duration(iterations());
             requested = -1;
-            request(0);
+            grown = 0;
         },
         tick,
         part: () => (iterations() === 0 ? 1 : grown / iterations()),
@@ -79,9 +83,8 @@ export function createGrowing(store, engine, page) {
     const { stop, forget } = animation;
 
     return {
-        /** Whether the engine shows a state of growth instead of the store's state. */
-        get running() {
-            return animation.running;
+        get moves() {
+            return animation.moves;
         },
         /** Grows once, quickly. Any input ends it. */
         greet() {

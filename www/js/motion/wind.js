@@ -26,23 +26,14 @@ export const strengthOf = ({ sway: [own] }) => own || LIGHT_WIND;
  */
 export function createWind(store, engine, page) {
     const toggle = button('wind');
-    /** The still plant, whose picture comes first: its frame is that of the wind. Null once the plant is shown. @type {import('../state/state.js').Definition | null} */
-    let still = null;
     /** The phase in degrees, and the part of the strength. */
     let phase = 0;
     let risen = 0;
 
-    function isSettled() {
-        if (still && engine.good.definition === still) still = null;
-        return still === null;
-    }
-
     /** @param {number} time */
     function tick(time) {
-        if (isSettled()) {
-            risen = Math.min(1, risen + time / RISE_MS);
-            request((phase + (360 * time) / WAVE_MS) % 360);
-        }
+        risen = Math.min(1, risen + time / RISE_MS);
+        request((phase + (360 * time) / WAVE_MS) % 360);
         return true;
     }
 
@@ -53,37 +44,28 @@ export function createWind(store, engine, page) {
         animation.draw({ ...definition, sway: [risen * strengthOf(definition), phase] });
     }
 
-    /** Draws the still plant first. */
-    function settle() {
-        still = definitionOf(store.state);
-        risen = 0;
-        animation.drawn();
-        engine.define(still);
-    }
-
     const animation = createAnimation(toggle, store, engine, page, {
         start() {
             phase = ((store.state.sway[1] % 360) + 360) % 360;
-            settle();
+            risen = 0;
         },
         tick,
         part: () => phase / 360,
         words: () => say`wind of ${marked(String(Number(strengthOf(store.state).toFixed(1))))}°`,
-        seek: (part) => isSettled() && request(part * 360),
-        ended: () => (still = null),
+        seek: (part) => request(part * 360),
     });
     const { drawn, stop, forget } = animation;
 
     return {
-        /** Whether the engine shows swaying branches instead of the store's state. */
-        get blowing() {
-            return animation.running && still === null;
+        get moves() {
+            return animation.moves;
         },
         /** A picture has come. */
         drawn: () => drawn(),
-        /** The state has changed, and the engine already draws it: the wind goes on around the new plant. */
+        /** The state has changed: the wind rises anew, around the new plant. */
         edited() {
-            if (animation.running) settle();
+            risen = 0;
+            animation.edited();
         },
         /** @param {import('../protocol.js').Report} report */
         report({ ok, branches }) {

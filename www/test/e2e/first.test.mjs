@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
 import { sampled, some } from '../effort.mjs';
-import { DESKTOP, PHONE, close, nextPicture, quiet, stillPicture, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, nextPicture, onPixels, quiet, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -243,8 +243,15 @@ test('on the first visit the plant grows once, and any input ends it', () =>
         const grows = async () => (await page.getAttribute('#grow', 'aria-pressed')) === 'true';
         assert.ok(await grows());
         assert.ok(!(await page.isVisible('#playback')), 'without the playback bar');
-        await until(async () => !(await grows()), 'it ends by itself');
+        const ink = () => onPixels(page, ({ words }) => words.filter((word) => word !== words[0]).length);
+        let most = 0;
+        await until(async () => {
+            most = Math.max(most, await ink());
+            return !(await grows());
+        }, 'it ends by itself');
         assert.ok(!(await page.isVisible('#playback')));
+        const whole = await ink();
+        assert.ok(whole > 0 && most < 1.2 * whole, `in the frame of the whole plant: ${most} of ${whole}`);
         await until(async () => (await text(page, '#segments')) === '3,125', 'the whole plant is counted');
         assert.ok(!(await page.isEnabled('#undo')), 'nothing is to be undone');
         await page.reload();
