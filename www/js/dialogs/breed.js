@@ -185,6 +185,7 @@ async function fill(self) {
 
 /** Shows what the cards stand for, and the line of descent. @param {Breeding} self */
 function show(self) {
+    setText(html('h-breed'), self.isSeeds ? say`Seeds` : say`Breed`);
     for (const [index, { picture, label, card, box, keep, slot }] of self.cards.entries()) {
         const definition = self.shown[index];
         slot.hidden = !definition;

@@ -61,6 +61,16 @@ test('where chance plays a part, seeds are compared in the same dialog', () =>
         await painted(page);
         await page.click('#show-seeds');
         await until(async () => (await page.locator('#breed-cards .present').count()) === 1, 'the current seed');
+        assert.equal(await page.textContent('#h-breed'), 'Seeds');
+        for (const viewport of [DESKTOP.viewport, { width: 1280, height: 657 }, PHONE.viewport]) {
+            await page.setViewportSize(viewport);
+            const head = await page.locator('#breed').evaluate((dialog) => {
+                const { left, right } = dialog.getBoundingClientRect();
+                const parts = [...dialog.querySelectorAll('.dialog-head > *')].map((part) => part.getBoundingClientRect());
+                return parts.every((part) => part.left >= left && part.right <= right);
+            });
+            assert.ok(head, `the whole head can be seen at ${viewport.width} x ${viewport.height}`);
+        }
         assert.ok(!(await page.isVisible('.keep')));
         await page.click('#show-children');
         await until(async () => (await page.locator('#breed-cards .present').count()) === 0, 'children again');
