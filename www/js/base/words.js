@@ -67,7 +67,12 @@ export function said(text) {
 }
 
 /** Why something failed. @param {unknown} error */
-export const reasonOf = (error) => (error instanceof Error ? error.message : String(error));
+export function reasonOf(error) {
+    // Browsers say `Failed to fetch`.
+    if (error instanceof TypeError && !navigator.onLine)
+        return say`you are offline, and this part of the page is not kept on this device`;
+    return error instanceof Error ? error.message : String(error);
+}
 
 /**
  * A text with a number in the form that the number needs; `{}` is the number, and others are the values.

@@ -7,7 +7,7 @@ import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 import { isCarried, scriptAddress } from '../base/files.js';
 import PARTS from '../tool-parts.json' with { type: 'json' };
 import { compile } from './wasm.js';
-import { ours, say } from '../base/words.js';
+import { ours, reasonOf, say } from '../base/words.js';
 
 /** @typedef {import('../protocol.js').ToTool} ToTool */
 /** @typedef {import('../protocol.js').FromTool} FromTool */
@@ -110,7 +110,7 @@ function start(self) {
     fresh.onmessage = ({ data }) => self.worker === fresh && receive(self, data);
     fresh.onerror = (event) => {
         event.preventDefault();
-        if (self.worker === fresh) end(self, event.message || say`the tool did not start`);
+        if (self.worker === fresh) end(self, event.message || reasonOf(new TypeError(say`the tool did not start`)));
     };
     Promise.all(wasms.map((wasm) => compile(wasm, self.failed))).then(
         ([wasm, ...parts]) => {
@@ -122,7 +122,7 @@ function start(self) {
         },
         (error) => {
             self.failed = true;
-            if (self.worker === fresh) end(self, error.message);
+            if (self.worker === fresh) end(self, reasonOf(error));
         },
     );
 }

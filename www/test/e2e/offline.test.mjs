@@ -144,8 +144,10 @@ test('after one visit, the first screen works without a network, and so does wha
             await page.click('#close-gallery');
             // What was not used is told, and comes once there is a network.
             await page.click('#tab-save');
+            await page.context().setOffline(true);
             await page.click('[data-save=svg]');
-            await page.waitForSelector('#toast:has-text("Not saved")');
+            await page.waitForSelector('#toast:has-text("you are offline")');
+            await page.context().setOffline(false);
             down = false;
             await saveFile(page, 'json');
         }),
