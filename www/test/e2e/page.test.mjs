@@ -104,6 +104,24 @@ test('printing shows the drawing and its system, without controls', () =>
         assert.match(await page.innerText('.caption'), /Koch/);
     }));
 
+test('a drawing on a dark ground is printed on paper', () =>
+    withPage({ hash: `${KOCH}&bg=102030&palette=ffe080` }, async (page) => {
+        await stillPicture(page);
+        await page.emulateMedia({ media: 'print' });
+        const shown = (await page.screenshot()).toString('base64');
+        const [paper = 0, ink = 0] = await page.evaluate(async (shown) => {
+            const bytes = Uint8Array.from(atob(shown), (char) => char.charCodeAt(0));
+            const image = await createImageBitmap(new Blob([bytes]));
+            const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+            context?.drawImage(image, 0, 0);
+            const levels = context?.getImageData(0, 0, image.width, image.height / 2).data ?? [];
+            let least = 255;
+            for (let at = 2; at < levels.length; at += 4) least = Math.min(least, levels[at] ?? 255);
+            return [levels[0] ?? 0, least];
+        }, shown);
+        assert.ok(paper > 200 && ink < 150, `${paper}, ${ink}`);
+    }));
+
 test('a system can be opened from the gallery', () =>
     withPage({}, async (page) => {
         const before = await stillPicture(page);
