@@ -19,12 +19,12 @@ mod rules;
 use crate::assembly::{Angle, Said, Statements, Symbols};
 use crate::branches::{Branches, branches};
 use crate::draft::Draft;
-use crate::keys::{Key, key, letter_of};
 use crate::prose_words::is_prose;
 use crate::rules::split_rule;
 use crate::source::Source;
 use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Value, What, elements, members};
+use crate::vocabulary::{Key, key, letter_of};
 use core::ops::Range;
 use lsystem_base::say;
 use object::{angle_of, contradict, is_of_symbols, is_sure, word_of};
@@ -34,67 +34,18 @@ use rules::Rules;
 const MAX_BRANCHES: usize = 256;
 /// Words of which a text without an axiom by that name has one.
 const FIELD: [&str; 6] = ["axiom", "l-system", "lsystem", "lindenmayer", "l_system", "turtle"];
-/// A weight of a random choice.
-const WEIGHT: &[&str] = &["weight", "p", "prob", "probability", "chance", "w", "odds"];
-/// A successor.
-const TO: &[&str] = &[
-    "successor",
-    "out",
-    "to",
-    "output",
-    "replacement",
-    "replace",
-    "b",
-    "body",
-    "value",
-    "result",
-    "string",
-    "rule",
-    "right",
-    "production",
-    "rhs",
-    "e",
-    "after",
-    "then",
-    "successors",
-    "productions",
-    "options",
-    "next",
-];
-/// A predecessor.
-const FROM: &[&str] = &[
-    "predecessor",
-    "in",
-    "from",
-    "input",
-    "symbol",
-    "a",
-    "key",
-    "letter",
-    "char",
-    "character",
-    "left",
-    "lhs",
-    "head",
-    "before",
-    "match",
-    "find",
-    "variable",
-    "name",
-];
-
 /// Parts of the names of functions that take an axiom and rules.
-const MAKERS: [&str; 5] = ["lsys", "l_sys", "lindenmayer", "grammar", "derivation"];
+const MAKERS: [&str; 6] = ["lsys", "l_sys", "lindenmayer", "grammar", "derivation", SUBSTITUTION];
+/// The function of Wolfram's language, which takes rules, an axiom and the number of steps.
+const SUBSTITUTION: &str = "substitutionsystem";
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
-    let lower = text.to_ascii_lowercase();
-    let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-    let has_axiom = has(&["axiom", "start", "init", "omega", "seed", "s0"]);
-    let has_rules = has(&["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]);
-    if !(has(&MAKERS) || has_axiom && has_rules) {
+    // A list with words in backquotes is no program.
+    if !text.contains(['{', ';', '"', '\'', '(']) {
         return None;
     }
+    let lower = text.to_ascii_lowercase();
     let tree = tree(text);
     let mut reader = Reader {
         text,
@@ -151,14 +102,23 @@ impl Reader<'_> {
                 at = member.next.max(at + 1);
                 continue;
             }
-            let called = nodes.get(at + 1).filter(|next| !next.is_first && matches!(next.kind, Kind::Group('(', _)));
+            let is_bracket = |next: &&Node| match next.kind {
+                Kind::Group('(', _) => true,
+                Kind::Group('[', _) => node.name().is_some_and(|name| name.eq_ignore_ascii_case(SUBSTITUTION)),
+                _ => false,
+            };
+            let called = nodes.get(at + 1).filter(|next| !next.is_first).filter(is_bracket);
             if let (Some(function), Some(arguments)) = (node.name(), called) {
-                let receiver = match nodes.get(..at) {
-                    Some([.., object, dot]) if dot.is(".") || dot.is("::") => object.name(),
-                    _ => None,
+                // `rules.add(..)`, `rules['F'].push_back(..)`
+                let (receiver, index) = match nodes.get(..at) {
+                    Some([.., object, index, dot]) if dot.is(".") && index.group().is_some() => {
+                        (object.name(), index.group().and_then(|inside| inside.first()?.text()))
+                    }
+                    Some([.., object, dot]) if dot.is(".") || dot.is("::") => (object.name(), None),
+                    _ => (None, None),
                 };
                 let span = node.span.start..arguments.span.end;
-                if self.call(function, receiver, arguments, span) {
+                if self.call(function, receiver, index, arguments, span) {
                     at += 2;
                     continue;
                 }
@@ -183,7 +143,10 @@ impl Reader<'_> {
                 self.systems.push(system);
                 return true;
             }
+            // `grammar := New("F")` of Go
+            let is_new = |function: &str| ["new", "create", "make"].contains(&&*function.to_ascii_lowercase());
             if let Some(function) = function
+                && let function = if is_new(function) { &member.key } else { *function }
                 && self.constructor(function, node, member.value.span.clone(), &member.key)
             {
                 return true;
@@ -219,6 +182,17 @@ impl Reader<'_> {
                         rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
                     }
                     None => rules.all(&member.value),
+                }
+                // `rules = "X=FX", "F=FF"`
+                let mut behind = member.next;
+                while let Some([comma, next]) = nodes.get(behind..behind + 2)
+                    && comma.is(",")
+                    && !next.is_first
+                    && let Some(text) = next.text()
+                    && !rules.found.is_empty()
+                {
+                    rules.lines(text, &next.span);
+                    behind += 2;
                 }
                 if rules.found.is_empty() && rules.lines.is_empty() {
                     return false;
@@ -279,7 +253,14 @@ impl Reader<'_> {
     }
 
     /// Reads a call; whether it is a part of a system.
-    fn call(&mut self, function: &str, receiver: Option<&str>, arguments: &Node, span: Range<usize>) -> bool {
+    fn call(
+        &mut self,
+        function: &str,
+        receiver: Option<&str>,
+        index: Option<&str>,
+        arguments: &Node,
+        span: Range<usize>,
+    ) -> bool {
         let Some(inside) = arguments.group() else { return false };
         let own = elements(inside);
         let name: String = function.chars().filter(|c| *c != '_').collect::<String>().to_ascii_lowercase();
@@ -299,7 +280,10 @@ impl Reader<'_> {
         let fills = matches!(&*name, "put" | "insert" | "set" | "add" | "push" | "append" | "emplace" | "pushback");
         if adds_rule || fills && to_rules {
             let mut rules = Rules::default();
-            rules.arguments(&own, span.clone());
+            match (index, &own[..]) {
+                (Some(letter), [to]) => rules.keyed(letter, to),
+                _ => rules.arguments(&own, span.clone()),
+            }
             if rules.found.is_empty() {
                 return false;
             }
@@ -358,14 +342,28 @@ impl Reader<'_> {
         {
             return false;
         }
-        let words: Vec<&Value<'_>> =
+        let mut words: Vec<&Value<'_>> =
             own.iter().filter(|value| value.text().is_some_and(|text| !is_prose(text))).collect();
-        let groups: Vec<&Value<'_>> = own.iter().filter(|value| value.items().is_some()).collect();
-        let Some(word) = words.last().filter(|_| words.len() <= 2) else { return false };
+        // An alphabet is no rule: `{"+", "-"}`.
+        let is_alphabet = |value: &Value<'_>| {
+            let own = value.elements();
+            own.len() > 1 && own.iter().all(|one| one.text().is_some_and(|text| !text.contains(char::is_alphanumeric)))
+        };
+        let groups: Vec<&Value<'_>> =
+            own.iter().filter(|value| value.items().is_some() && !is_alphabet(value)).collect();
         let mut rules = Rules::default();
         groups.iter().for_each(|group| rules.all(group));
+        // Of several words, the axiom is the only one with a letter that is replaced.
+        if words.len() > 1 && !rules.found.is_empty() {
+            let begins = |word: &&Value<'_>| {
+                let text = word.text().unwrap_or_default();
+                rules.found.iter().any(|rule| rule.from.chars().next().is_some_and(|symbol| text.contains(symbol)))
+            };
+            words.retain(begins);
+        }
+        let [word] = words[..] else { return false };
         if rules.found.is_empty() {
-            if groups.is_empty() && words.len() == 1 {
+            if groups.is_empty() {
                 self.flat_axiom(word.text().unwrap_or_default(), span, true);
                 return true;
             }
@@ -378,7 +376,25 @@ impl Reader<'_> {
         for member in arguments.group().map(members).unwrap_or_default() {
             self.part(&mut said, &member);
         }
-        for value in &own {
+        // Of two numbers, a small whole one can only be the number of iterations, and a large one the angle.
+        let numbers: Vec<(f64, &Value<'_>)> = own.iter().filter_map(|value| Some((value.number()?, value))).collect();
+        let is_steps = |n: f64| n.fract() == 0.0 && (1.0..=12.0).contains(&n);
+        let is_angle = |degrees: f64| (15.0..=180.0).contains(&degrees);
+        let mut known = (None, None);
+        match numbers[..] {
+            [n, angle] | [angle, n] if is_steps(n.0) && is_angle(angle.0) && said.angle.is_none() => {
+                known = (Some(n), Some(angle));
+            }
+            [n] if lower == SUBSTITUTION => known = (Some(n), None),
+            _ => {}
+        }
+        if let Some((n, value)) = known.0 {
+            said.iterations = Some(Said::new(n.to_string(), value.span.clone()));
+        }
+        if let Some((degrees, value)) = known.1 {
+            said.angle = Some(Said::new(Angle::Degrees(degrees), value.span.clone()));
+        }
+        for value in own.iter().filter(|_| known.0.is_none()) {
             if value.number().is_some() && said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
                 said.note(value.span.clone(), say!("The text does not say what this number is"));
             }

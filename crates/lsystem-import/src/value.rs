@@ -14,13 +14,15 @@ pub(super) struct Value<'t> {
 }
 
 /// A value.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum What<'t> {
     Text(String),
     Number(f64, Unit),
     /// A bracket, and the name before it: `Rule` of `new Rule('F', "FF")`.
     Group(&'t Node, Option<&'t str>),
-    /// Code, a name, and other values that are not read.
+    /// A name, of which the last part counts: `None` of `Draw.None`.
+    Name(&'t str),
+    /// Code and other values that are not read.
     Code,
 }
 
@@ -99,6 +101,8 @@ pub(super) fn member(nodes: &[Node], at: usize) -> Option<Member<'_>> {
     let key = match &first.kind {
         Kind::Name(name) => name.clone(),
         Kind::Text(text) => text.clone(),
+        // Digits are symbols, and chances.
+        Kind::Number(number, unit) if unit.is_empty() && sign(at + 1) => lsystem_base::number::number(*number),
         _ => return None,
     };
     // `"F" to "FF"` of Kotlin.
@@ -174,6 +178,10 @@ fn ends(nodes: &[Node], from: usize, at: usize) -> bool {
     let Some(node) = nodes.get(at) else { return true };
     if node.is(",") || node.is(";") {
         return true;
+    }
+    // The members of a new object may begin on the next line: `new Dictionary<string, string>` and below it `{`.
+    if nodes[from].name() == Some("new") && matches!(node.kind, Kind::Group('{', _)) {
+        return false;
     }
     let goes_on = |node: &Node| ["+", "-", "*", "/", ".", "..", "&&", "||", "?"].iter().any(|mark| node.is(mark));
     at > from
@@ -318,7 +326,10 @@ fn what(part: &[Node]) -> What<'_> {
         }
         return What::Group(last, name);
     }
-    What::Code
+    match last.name() {
+        Some(name) if before.iter().all(|node| node.name().is_some() || node.is(".")) => What::Name(name),
+        _ => What::Code,
+    }
 }
 
 /// Strings that `+`, `..` or nothing joins.
