@@ -2,6 +2,7 @@
 //! its place in the source.
 
 use crate::mapped::Mapped;
+use crate::vocabulary::sign;
 use crate::vocabulary::{Key, key, rows};
 use crate::wrappings::entity;
 use core::ops::Range;
@@ -15,50 +16,6 @@ pub(super) struct Decoded {
     /// The places in the source of markup that stands for nothing or for a blank, in order.
     pub(super) markup: Vec<Range<usize>>,
 }
-
-/// Commands of LaTeX that stand for a character or for nothing, longer ones first.
-const COMMANDS: [(&str, &str); 40] = [
-    ("longrightarrow", "→"),
-    ("xrightarrow", "→"),
-    ("Rightarrow", "→"),
-    ("rightarrow", "→"),
-    ("mapsto", "→"),
-    ("lbrack", "["),
-    ("rbrack", "]"),
-    ("degree", "°"),
-    ("omega", "ω"),
-    ("delta", "δ"),
-    ("theta", "θ"),
-    ("alpha", "α"),
-    ("quad", " "),
-    ("qquad", " "),
-    ("circ", "°"),
-    ("left", ""),
-    ("right", ""),
-    ("mathrm", ""),
-    ("mathtt", ""),
-    ("mathit", ""),
-    ("texttt", ""),
-    ("textbf", ""),
-    ("textit", ""),
-    ("text", ""),
-    ("emph", ""),
-    ("item", "\n"),
-    ("par", "\n"),
-    ("colon", ":"),
-    ("pi", "π"),
-    ("to", "→"),
-    ("gt", ">"),
-    ("lt", "<"),
-    ("newline", "\n"),
-    ("hspace", " "),
-    ("vert", "|"),
-    ("wedge", "^"),
-    ("frac", ""),
-    ("ast", "*"),
-    ("varepsilon", "ε"),
-    ("epsilon", "ε"),
-];
 
 impl Decoded {
     pub(super) fn new(source: &str) -> Self {
@@ -87,10 +44,14 @@ impl Decoded {
         while let Some(ch) = source[at..].chars().next() {
             let rest = &source[at..];
             let mut buffer = [0; 4];
+            let named: String;
             let mark = if is_latex { None } else { pairs.mark(source, at) };
             let (read, length) = match ch {
                 '&' => match entity(rest) {
-                    Some((sign, length)) => (&*sign.encode_utf8(&mut buffer), length),
+                    Some((sign, length)) => {
+                        named = sign;
+                        (&*named, length)
+                    }
                     None if is_latex && aligned > 0 => (" ", 1),
                     None => ("&", 1),
                 },
@@ -205,10 +166,7 @@ fn command(text: &str) -> (&'static str, usize) {
         _ => {}
     }
     let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-    match COMMANDS.iter().find(|(name, _)| *name == &rest[..length]) {
-        Some((_, sign)) => (sign, 1 + length),
-        None => (" ", 1 + length),
-    }
+    (sign(&rest[..length]).unwrap_or(" "), 1 + length)
 }
 
 /// Tags of HTML that stand inside a line.

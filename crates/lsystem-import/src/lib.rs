@@ -45,8 +45,6 @@ mod wrappings;
 pub mod write;
 
 #[cfg(test)]
-mod drawn;
-#[cfg(test)]
 mod tests;
 
 pub use account::{Fate, Part};

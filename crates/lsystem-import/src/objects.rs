@@ -24,10 +24,10 @@ use crate::rules::split_rule;
 use crate::source::Source;
 use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Value, What, elements, members};
-use crate::vocabulary::{Key, key, letter_of};
+use crate::vocabulary::{Key, key, letter_of, rows};
 use core::ops::Range;
 use lsystem_base::say;
-use object::{angle_of, contradict, is_of_symbols, is_sure, word_of};
+use object::{angle_of, is_of_symbols, is_sure, word_of};
 use rules::Rules;
 
 /// The most symbols whose branches each system of a text gets.
@@ -169,16 +169,10 @@ impl Reader<'_> {
                         rules.keyed(index.text().unwrap_or_default(), &member.value);
                     }
                     Some(_) => rules.listed(&member.value),
-                    None if key == Key::Rule
-                        && letter_of(&member.key).is_some()
+                    // `rules_a = "FF"` says the letter; `rules = {...}` says all.
+                    None if let Some(letter) = letter_of(&member.key)
                         && member.value.text().is_some_and(|text| split_rule(text).is_none()) =>
                     {
-                        let letter = letter_of(&member.key).unwrap_or_default();
-                        rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
-                    }
-                    // `rules_a = "FF"` says the letter; `rules = {...}` says all.
-                    None if member.value.text().is_some() && letter_of(&member.key).is_some() => {
-                        let letter = letter_of(&member.key).unwrap_or_default();
                         rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
                     }
                     None => rules.all(&member.value),
@@ -200,44 +194,28 @@ impl Reader<'_> {
                 let whole = member.index.is_none() && key == Key::Rules && letter_of(&member.key).is_none();
                 self.flat_rules(rules, member.span.clone(), whole);
             }
-            Key::Angle | Key::LeftAngle | Key::RightAngle | Key::LengthFactor | Key::Heading => {
-                let Some(number) = member.value.number().filter(|number| *number != 0.0) else { return false };
-                let angle = angle_of(&member.key, &member.value);
-                let said = Said::new(angle.unwrap_or(Angle::Unknown(number)), member.span.clone());
-                let differs =
-                    |known: &Option<Said<Angle>>| known.as_ref().is_some_and(|known| known.value != said.value);
-                let flat = self.flat_mut(member.span.start);
-                match key {
-                    Key::Angle if differs(&flat.angle) => {
-                        let first = flat.angle.clone();
-                        if flat.axiom.is_some() && !flat.rules.is_empty() {
-                            self.next_flat();
-                            self.flat_mut(member.span.start).angle = Some(said);
-                        } else if let Some(first) = first {
-                            contradict(self.flat_mut(member.span.start), &first.span, &member.span);
-                        }
-                    }
-                    Key::Angle => flat.angle = Some(said),
-                    Key::LeftAngle => flat.left = Some(said),
-                    Key::RightAngle => flat.right = Some(said),
-                    Key::LengthFactor => flat.factor = Some(Said::new(number, member.span.clone())),
-                    _ => return false,
-                }
-                self.extend(member.span.clone());
-            }
-            Key::Iterations => {
-                let Some(number) = member.value.number().filter(|n| n.fract() == 0.0 && *n > 0.0 && *n < 1e6) else {
+            Key::Angle | Key::LeftAngle | Key::RightAngle | Key::LengthFactor | Key::Iterations => {
+                let number = member.value.number().filter(|number| *number != 0.0);
+                let Some(number) = number.filter(|n| *n > 0.0 && *n < 1e6 || key != Key::Iterations) else {
                     return false;
                 };
                 let weak = matches!(member.key.as_str(), "n" | "i" | "steps" | "level" | "order" | "gen" | "size");
-                if weak && !self.of_field {
+                if key == Key::Iterations && (weak && !self.of_field || number.fract() != 0.0) {
                     return false;
                 }
                 let flat = self.flat_mut(member.span.start);
-                if flat.iterations.is_none() {
-                    flat.iterations = Some(Said::new(number.to_string(), member.span.clone()));
-                    self.extend(member.span.clone());
+                let angle = angle_of(&member.key, &member.value);
+                let differs = flat.angle.as_ref().is_some_and(|known| Some(known.value) != angle);
+                if key == Key::Angle && differs && flat.axiom.is_some() && !flat.rules.is_empty() {
+                    self.next_flat();
                 }
+                let mut said =
+                    core::mem::replace(self.flat_mut(member.span.start), Statements::new("", 0, Symbols::Usual));
+                if key != Key::Iterations || said.iterations.is_none() {
+                    self.part(&mut said, member);
+                    said.extents.push(member.span.clone());
+                }
+                *self.flat_mut(member.span.start) = said;
             }
             Key::Name if name.is_some_and(|name| matches!(&*name.to_ascii_lowercase(), "name" | "title")) => {
                 let Some(text) = member.value.text() else { return false };
@@ -263,22 +241,9 @@ impl Reader<'_> {
     ) -> bool {
         let Some(inside) = arguments.group() else { return false };
         let own = elements(inside);
-        let name: String = function.chars().filter(|c| *c != '_').collect::<String>().to_ascii_lowercase();
+        let names = rows(function);
         let to_rules = receiver.is_some_and(|receiver| matches!(key(receiver), Some(Key::Rules | Key::Rule)));
-        let adds_rule = matches!(
-            &*name,
-            "addrule"
-                | "setrule"
-                | "rule"
-                | "addproduction"
-                | "production"
-                | "withrule"
-                | "addrules"
-                | "newrule"
-                | "defrule"
-        );
-        let fills = matches!(&*name, "put" | "insert" | "set" | "add" | "push" | "append" | "emplace" | "pushback");
-        if adds_rule || fills && to_rules {
+        if names.has(Key::AddsRule) || names.has(Key::AddsToList) && to_rules {
             let mut rules = Rules::default();
             match (index, &own[..]) {
                 (Some(letter), [to]) => rules.keyed(letter, to),
@@ -290,26 +255,18 @@ impl Reader<'_> {
             self.flat_rules(rules, span, false);
             return true;
         }
-        match (&*name, &own[..]) {
-            ("setaxiom" | "axiom" | "withaxiom" | "initiator" | "setstart" | "startwith", [word, ..])
-                if word.text().is_some() =>
-            {
+        match (&own[..], receiver) {
+            ([word, ..], _) if names.has(Key::SetsAxiom) && word.text().is_some() => {
                 self.flat_axiom(word.text().unwrap_or_default(), span, true);
                 true
             }
-            ("setangle" | "angle" | "withangle" | "setturnangle" | "setdelta" | "turnangle", [angle])
-                if angle.number().is_some() =>
-            {
+            ([angle], _) if names.has(Key::SetsAngle) && angle.number().is_some() => {
                 let angle = angle_of(function, angle).unwrap_or(Angle::Unknown(0.0));
                 self.flat_mut(span.start).angle = Some(Said::new(angle, span.clone()));
                 self.extend(span);
                 true
             }
-            (
-                "iterate" | "iterations" | "setiterations" | "generations" | "setdepth" | "withiterations" | "simulate"
-                | "generate",
-                [n],
-            ) if n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) => {
+            ([n], _) if names.has(Key::Runs) && n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) => {
                 let n = n.number().unwrap_or_default().to_string();
                 if self.flat.said.is_some() {
                     self.flat_mut(span.start).iterations = Some(Said::new(n, span.clone()));
@@ -322,8 +279,8 @@ impl Reader<'_> {
                 true
             }
             // `LSystem::new(..)`, `LSystem.create(..)`
-            ("new" | "create" | "build" | "init" | "from", _) if receiver.is_some() => {
-                self.constructor(receiver.unwrap_or_default(), arguments, span, "")
+            (_, Some(receiver)) if matches!(function, "new" | "create" | "build" | "init" | "from") => {
+                self.constructor(receiver, arguments, span, "")
             }
             _ => self.constructor(function, arguments, span, ""),
         }
@@ -379,24 +336,24 @@ impl Reader<'_> {
         // Of two numbers, a small whole one can only be the number of iterations, and a large one the angle.
         let numbers: Vec<(f64, &Value<'_>)> = own.iter().filter_map(|value| Some((value.number()?, value))).collect();
         let is_steps = |n: f64| n.fract() == 0.0 && (1.0..=12.0).contains(&n);
-        let is_angle = |degrees: f64| (15.0..=180.0).contains(&degrees);
-        let mut known = (None, None);
-        match numbers[..] {
-            [n, angle] | [angle, n] if is_steps(n.0) && is_angle(angle.0) && said.angle.is_none() => {
-                known = (Some(n), Some(angle));
+        let steps = match numbers[..] {
+            [n, (degrees, place)] | [(degrees, place), n]
+                if is_steps(n.0) && (15.0..=180.0).contains(&degrees) && said.angle.is_none() =>
+            {
+                said.angle = Some(Said::new(Angle::Degrees(degrees), place.span.clone()));
+                Some(n)
             }
-            [n] if lower == SUBSTITUTION => known = (Some(n), None),
-            _ => {}
-        }
-        if let Some((n, value)) = known.0 {
-            said.iterations = Some(Said::new(n.to_string(), value.span.clone()));
-        }
-        if let Some((degrees, value)) = known.1 {
-            said.angle = Some(Said::new(Angle::Degrees(degrees), value.span.clone()));
-        }
-        for value in own.iter().filter(|_| known.0.is_none()) {
-            if value.number().is_some() && said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
-                said.note(value.span.clone(), say!("The text does not say what this number is"));
+            [n] if lower == SUBSTITUTION => Some(n),
+            _ => None,
+        };
+        match steps {
+            Some((n, place)) => said.iterations = Some(Said::new(n.to_string(), place.span.clone())),
+            None => {
+                for (_, value) in numbers {
+                    if said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
+                        said.note(value.span.clone(), say!("The text does not say what this number is"));
+                    }
+                }
             }
         }
         self.systems.push(said);

@@ -77,41 +77,15 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
 
 /// Whether several lines of a text are those of a program.
 fn is_program(text: &str) -> bool {
-    const STARTS: [&str; 28] = [
-        "import ",
-        "from ",
-        "def ",
-        "class ",
-        "function ",
-        "public ",
-        "private ",
-        "using ",
-        "#include",
-        "package ",
-        "const ",
-        "let ",
-        "var ",
-        "fn ",
-        "export ",
-        "return ",
-        "for (",
-        "while (",
-        "if (",
-        "void ",
-        "static ",
-        "end",
-        "local ",
-        "elif ",
-        "else:",
-        "//!",
-        "///",
-        "use ",
-    ];
     // Blocks such as `koch {` hold descriptions, too.
     let has_calls = text.contains([';', '(']);
     let is_code = |line: &&str| {
         let line = line.trim_start();
-        let is_start = STARTS.iter().any(|start| line.starts_with(start)) || line.starts_with('}') && has_calls;
+        let begins = |word: &&&str| {
+            let is_word = word.ends_with(char::is_alphanumeric);
+            line.strip_prefix(**word).is_some_and(|rest| !is_word || rest.is_empty() || rest.starts_with(' '))
+        };
+        let is_start = words(Key::Code).iter().any(|word| begins(&word)) || line.starts_with('}') && has_calls;
         is_start && !line.starts_with("from the ") && !line.contains("->")
     };
     text.lines().filter(is_code).take(3).count() == 3

@@ -3,6 +3,7 @@
 mod sums;
 
 use crate::tokens::{Kind, Node};
+use crate::vocabulary::{Key, rows};
 use core::ops::Range;
 pub(super) use sums::arithmetic;
 
@@ -240,49 +241,18 @@ fn single(node: &Node) -> What<'_> {
     }
 }
 
-/// Methods that leave a string or a bracket as it is.
-const HARMLESS: [&str; 22] = [
-    "split",
-    "to_string",
-    "into",
-    "to_owned",
-    "chars",
-    "toCharArray",
-    "trim",
-    "freeze",
-    "collect",
-    "as_str",
-    "clone",
-    "toString",
-    "ToString",
-    "ToCharArray",
-    "ToList",
-    "toList",
-    "String",
-    "c_str",
-    "to_vec",
-    "iter",
-    "as_bytes",
-    "strip",
-];
-
 fn what(part: &[Node]) -> What<'_> {
     // Calls at the end that change nothing: `"F".to_string()`, `[..].freeze`.
     let mut part = part;
-    while let [before @ .., dot, name, call] = part {
-        let harmless =
-            dot.is(".") && name.name().is_some_and(|name| HARMLESS.contains(&name)) && call.group().is_some();
-        if !harmless || before.is_empty() {
-            break;
-        }
-        part = before;
-    }
-    if let [before @ .., dot, name] = part
-        && dot.is(".")
-        && name.name().is_some_and(|name| HARMLESS.contains(&name))
-        && !before.is_empty()
-    {
-        part = before;
+    let is_harmless = |before: &[Node], dot: &Node, name: &Node| {
+        !before.is_empty() && dot.is(".") && name.name().is_some_and(|name| rows(name).has(Key::Harmless))
+    };
+    loop {
+        part = match part {
+            [before @ .., dot, name, call] if call.group().is_some() && is_harmless(before, dot, name) => before,
+            [before @ .., dot, name] if is_harmless(before, dot, name) => before,
+            _ => break,
+        };
     }
     if let [node] = part {
         return match &node.kind {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// A row of the table. The first ones are parts of a system, which labels, keys, columns and options name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Key {
     Axiom,
     /// All rules.
@@ -47,50 +47,33 @@ pub(super) enum Key {
     Arrow,
     Filler,
     Numbers,
+    AddsRule,
+    AddsToList,
+    SetsAxiom,
+    SetsAngle,
+    Runs,
+    Harmless,
+    Code,
+    /// Words of cpfg, the last row.
+    Cpfg,
 }
 
-/// The rows in the order of the table.
-const ROWS: [Key; 36] = {
-    use Key::*;
-    [
-        Axiom,
-        Rules,
-        Rule,
-        LeftAngle,
-        RightAngle,
-        Angle,
-        Heading,
-        Iterations,
-        Name,
-        LengthFactor,
-        Ignore,
-        Step,
-        Meanings,
-        Weight,
-        Successor,
-        Predecessor,
-        Turn,
-        Left,
-        Right,
-        Push,
-        Pop,
-        PitchDown,
-        PitchUp,
-        RollLeft,
-        RollRight,
-        Roll,
-        Pitch,
-        Round,
-        NoLine,
-        Move,
-        Draw,
-        Nothing,
-        Connector,
-        Arrow,
-        Filler,
-        Numbers,
-    ]
-};
+/// The rows of labels, in the order of the table.
+const LABELS: [Key; 13] = [
+    Key::Axiom,
+    Key::Rules,
+    Key::Rule,
+    Key::LeftAngle,
+    Key::RightAngle,
+    Key::Angle,
+    Key::Heading,
+    Key::Iterations,
+    Key::Name,
+    Key::LengthFactor,
+    Key::Ignore,
+    Key::Step,
+    Key::Meanings,
+];
 
 /// The rows of a word or of all words of a phrase, as bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -124,6 +107,23 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     }
     table
 });
+
+/// Names of characters in LaTeX and HTML.
+static SIGNS: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
+    let lines = include_str!("signs.txt").lines().filter_map(|line| line.split_once(' '));
+    let plain = |sign| match sign {
+        "blank" => " ",
+        "line" => "\n",
+        "nothing" => "",
+        sign => sign,
+    };
+    lines.flat_map(|(sign, names)| names.split(", ").map(move |name| (name, plain(sign)))).collect()
+});
+
+/// The character that a command of LaTeX or an entity of HTML stands for.
+pub(super) fn sign(name: &str) -> Option<&'static str> {
+    SIGNS.get(name).copied()
+}
 
 /// A word without capitals, blanks and signs.
 fn fold(word: &str) -> String {
@@ -163,7 +163,7 @@ pub(super) fn rows_within(phrase: &str) -> Rows {
 pub(super) fn key(name: &str) -> Option<Key> {
     let word = fold(name);
     let found = TABLE.rows.get(&word).copied().unwrap_or_default();
-    if let Some(key) = ROWS.into_iter().take_while(|key| *key <= Key::Meanings).find(|key| found.has(*key)) {
+    if let Some(key) = LABELS.into_iter().find(|key| found.has(*key)) {
         return Some(key);
     }
     if word.len() > 30 {
@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn the_table_has_every_row() {
-        assert_eq!(TABLE.words.len(), ROWS.len());
+        assert_eq!((TABLE.words.len(), words(Key::Cpfg)[0]), (Key::Cpfg as usize + 1, "lsystem"));
         for (word, expected) in [
             ("Startwort", Key::Axiom),
             ("turn_angle", Key::Angle),
@@ -230,13 +230,9 @@ mod tests {
         ] {
             assert_eq!(key(word), Some(expected), "{word}");
         }
+        assert!(LABELS.iter().enumerate().all(|(at, key)| *key as usize == at));
         assert!(words(Key::Numbers)[2] == "three" && rows("Successor").has(Key::Successor));
         let turns = rows_within("turn counter-clockwise by 30");
         assert!(turns.has(Key::Turn) && turns.has(Key::Left) && rows_within("向左转").has(Key::Left));
-    }
-
-    #[test]
-    fn rows_stand_in_the_order_of_the_enum() {
-        assert!(ROWS.iter().enumerate().all(|(at, key)| *key as usize == at));
     }
 }

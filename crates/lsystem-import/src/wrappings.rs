@@ -5,7 +5,7 @@ mod notebook;
 pub(crate) mod tables;
 
 use crate::mapped::Mapped;
-use crate::vocabulary::{Key, key};
+use crate::vocabulary::{Key, key, sign};
 use core::ops::Range;
 use tables::tables;
 
@@ -148,7 +148,7 @@ fn plain(text: &str, part: Range<usize>, inner: &mut Mapped) {
         let tag = rest[..rest.floor_char_boundary(LONGEST_TAG)].find('>').filter(|_| is_tag);
         let length = match (ch, entity(rest)) {
             (_, Some((sign, length))) => {
-                inner.push(at, sign.encode_utf8(&mut [0; 4]));
+                inner.push(at, &sign);
                 length
             }
             ('<', _) if tag.is_some() => tag.map_or(1, |end| end + 1),
@@ -161,26 +161,8 @@ fn plain(text: &str, part: Range<usize>, inner: &mut Mapped) {
     }
 }
 
-/// Names of characters in HTML.
-const ENTITIES: [(&str, char); 14] = [
-    ("gt", '>'),
-    ("lt", '<'),
-    ("amp", '&'),
-    ("nbsp", ' '),
-    ("rarr", '→'),
-    ("deg", '°'),
-    ("quot", '"'),
-    ("apos", '\''),
-    ("minus", '−'),
-    ("plus", '+'),
-    ("lbrack", '['),
-    ("rbrack", ']'),
-    ("vert", '|'),
-    ("ndash", '–'),
-];
-
 /// The character that an entity at the start of a text stands for, and the length of the entity.
-pub(crate) fn entity(text: &str) -> Option<(char, usize)> {
+pub(crate) fn entity(text: &str) -> Option<(String, usize)> {
     let rest = text.strip_prefix('&')?;
     let near = &rest[..rest.floor_char_boundary(10)];
     let name = &near[..near.find(';')?];
@@ -188,8 +170,9 @@ pub(crate) fn entity(text: &str) -> Option<(char, usize)> {
         Some(digits) => char::from_u32(match digits.strip_prefix(['x', 'X']) {
             Some(digits) => u32::from_str_radix(digits, 16).ok()?,
             None => digits.parse().ok()?,
-        })?,
-        None => ENTITIES.iter().find(|(own, _)| *own == name)?.1,
+        })?
+        .to_string(),
+        None => sign(name)?.to_owned(),
     };
     Some((sign, name.len() + 2))
 }

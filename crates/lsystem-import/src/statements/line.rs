@@ -166,29 +166,14 @@ pub(super) fn tokens(text: &str) -> Vec<Range<usize>> {
 
 /// The predecessor at the end of a text, with its contexts and its condition, and a weight before the arrow.
 pub(super) fn predecessor(before: &str) -> (Range<usize>, Option<f64>) {
+    // `F (0.9) →`, `F .9→`, but not `x > .9 →`
     let text = before.trim_end();
-    let mut end = text.len();
-    let mut weighted = None;
-    // `F .9→`, but not `x > .9`
-    if let Some(at) = text.rfind(char::is_whitespace)
-        && text[at..].contains(['.', '%'])
-        && let Some(found) = weight(&text[at..])
-        && text[..at].trim_end().ends_with(|c: char| c.is_alphanumeric())
-    {
-        weighted = Some(found);
-        end = text[..at].trim_end().len();
-    }
-    let text = &text[..end];
-    // `F (0.9) →`
-    if text.ends_with(')')
-        && let Some(open) = text.rfind('(')
-        && text[..open].ends_with(char::is_whitespace)
-        && let Some(found) = weight(&text[open + 1..text.len() - 1])
-    {
-        weighted = Some(found);
-        end = text[..open].trim_end().len();
-    }
-    let text = &text[..end];
+    let ends = |head: &str| text.starts_with(head) && head.ends_with(|c: char| c.is_alphanumeric() || c == ')');
+    let (text, mut weighted) = match weighted(text) {
+        (head, Some(weight)) if ends(head) => (head, Some(weight)),
+        _ => (text, None),
+    };
+    let end = text.len();
     let all = tokens(text);
     let Some(last) = all.last() else { return (end..end, weighted) };
     let mut start = last.start;

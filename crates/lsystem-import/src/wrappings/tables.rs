@@ -11,59 +11,38 @@ pub(crate) const END: &str = "\u{c}\n";
 /// The text with its tables as labelled lines; `None` if it has none.
 pub(super) fn tables(text: &str) -> Option<Mapped> {
     let first = text.lines().find(|line| !line.trim().is_empty())?;
-    let names = |sign: char| {
-        let keys: Vec<Option<Key>> = cells(first, 0, sign).into_iter().map(|cell| key(&first[cell])).collect();
-        is_of_systems(&keys)
-    };
+    let names = |sign: &char| Head::new(first, &cells(first, 0, *sign)).is_of_systems;
+    let sign = [';', '\t', ','].into_iter().find(names).unwrap_or('|');
     let mut inner = Mapped::default();
-    let mut has_tables = false;
-    // The names of the columns, where a table has been begun.
-    let mut head: Option<Head> = None;
-    if let Some(sign) = [';', '\t', ','].into_iter().find(|sign| names(*sign)) {
-        for (place, line) in lines(text) {
-            let own = cells(line.trim_end(), place.start, sign);
-            match &head {
-                None if line.trim().is_empty() => {}
-                None => head = Some(Head::new(text, &own)),
-                Some(head) => row(text, head, &own, &mut inner),
-            }
-        }
-        return Some(inner.end(text.len()));
-    }
-    let mut before: Option<Vec<Range<usize>>> = None;
+    let mut has_rows = false;
+    // The names of the columns, and the row that has them if a line of dashes follows.
+    let (mut head, mut before): (Option<Head>, Option<Vec<Range<usize>>>) = (None, None);
     for (place, line) in lines(text) {
-        let Some(own) = line.trim_start().starts_with('|').then(|| {
-            let lead = line.len() - line.trim_start().len() + 1;
-            let inside = line.trim_end();
-            let inside = inside.strip_suffix('|').filter(|rest| rest.len() >= lead).unwrap_or(inside);
-            cells(&inside[lead..], place.start + lead, '|')
-        }) else {
-            // The line before was no head.
-            if let Some(cells) = before.take() {
-                inner.copy(text, cells.first().map_or(place.start, |cell| cell.start)..place.start);
-            }
-            head = None;
+        let (bare, lead) = (line.trim(), line.len() - line.trim_start().len());
+        let inside = if sign == '|' { bare.strip_prefix('|') } else { Some(bare).filter(|bare| !bare.is_empty()) };
+        let Some(inside) = inside else {
+            head = head.filter(|_| sign != '|');
+            before = None;
             inner.copy(text, place);
             continue;
         };
-        let is_rule = own.iter().all(|cell| {
-            let cell = &text[cell.clone()];
-            !cell.is_empty() && cell.chars().all(|c| matches!(c, '-' | ':' | ' '))
-        });
+        let start = place.start + lead + bare.len() - inside.len();
+        let own = cells(inside.strip_suffix('|').filter(|_| sign == '|').unwrap_or(inside), start, sign);
+        let is_rule = bare.contains('-') && bare.chars().all(|c| matches!(c, '|' | '-' | ':' | ' '));
         match &head {
-            _ if is_rule && before.is_some() => head = before.take().map(|own| Head::new(text, &own)),
             Some(head) => {
-                has_tables = true;
+                has_rows = true;
                 row(text, head, &own, &mut inner);
             }
+            None if is_rule => head = before.take().map(|own| Head::new(text, &own)),
+            None if sign != '|' => head = Some(Head::new(text, &own)),
             None => {
-                if let Some(cells) = before.replace(own) {
-                    inner.copy(text, cells.first().map_or(place.start, |cell| cell.start)..place.start);
-                }
+                inner.copy(text, place);
+                before = Some(own);
             }
         }
     }
-    has_tables.then(|| inner.end(text.len()))
+    has_rows.then(|| inner.end(text.len()))
 }
 
 /// The names of the columns, and what they mean.
@@ -78,14 +57,10 @@ impl Head {
         let name = |cell: &Range<usize>| text[cell.clone()].trim_matches(['*', '_', '`', ' ']).to_owned();
         let names: Vec<String> = cells.iter().map(name).collect();
         let keys: Vec<Option<Key>> = names.iter().map(|name| key(name)).collect();
-        Self { is_of_systems: is_of_systems(&keys), names, keys }
+        let has = |wanted: Key| keys.contains(&Some(wanted));
+        let is_of_systems = has(Key::Axiom) && (has(Key::Rules) || has(Key::Rule));
+        Self { is_of_systems, names, keys }
     }
-}
-
-/// Whether columns describe systems.
-fn is_of_systems(keys: &[Option<Key>]) -> bool {
-    let has = |wanted: Key| keys.contains(&Some(wanted));
-    has(Key::Axiom) && (has(Key::Rules) || has(Key::Rule))
 }
 
 /// The places of the cells of a line, without white space and quotes around them.
