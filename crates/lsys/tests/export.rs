@@ -48,8 +48,8 @@ fn systems_are_written_in_other_notations() {
         "export old.l --entry Bush --as inkscape -n 3",
         0,
         &expect![[r#"
-        Axiom: ++++----F
-        Rules: F=FF+[+F-F-F]-[-F+F+F]
+        Axiom: ----++++F
+        Rules: F=FF-[-F+F+F]+[+F-F-F]
         Order: 3
         Step length (px): 10
         Left angle: 22.5

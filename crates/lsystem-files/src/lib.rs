@@ -62,7 +62,7 @@ pub use mesh_shape::mesh_shape;
 pub use obj::write_obj;
 pub use option_table::{FILE_OPTIONS, FileOption, OptionKind, OptionValue};
 pub use options::FileOptions;
-pub use paper::{bibtex, latex, markdown, write_tikz_library};
+pub use paper::{LATEX_START, bibtex, latex, markdown, write_tikz_library};
 pub use plot_svg::write_plot;
 pub use png_writer::{PngOptions, write_png};
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};

@@ -381,7 +381,9 @@ impl<'a> Assembly<'a> {
         }
         if let Some(factor) = self.said.factor.take() {
             let inverse = number(1.0 / factor.value);
-            if factor.value > 0.0 && factor.value.is_finite() {
+            if !symbols.iter().any(|symbol| matches!(symbol, '<' | '>')) {
+                self.draft.note_at(factor.span, say!("This is not carried over"));
+            } else if factor.value > 0.0 && factor.value.is_finite() {
                 self.draft.read(factor.span, say!("length times {}", number(factor.value)));
                 self.draft.meaning('>', format!("length times {}", number(factor.value)));
                 self.draft.meaning('<', format!("length times {inverse}"));

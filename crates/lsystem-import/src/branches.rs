@@ -78,6 +78,11 @@ fn flatten<'t>(nodes: &'t [Node], flat: &mut Vec<&'t Node>, depth: usize) {
 
 /// The symbols that the string at a place is compared with.
 fn compared(flat: &[&Node], at: usize) -> Option<Vec<char>> {
+    among(flat, at, 8)
+}
+
+/// The same; a list of symbols, as in `case 'F', 'G':`, is followed this far back.
+fn among(flat: &[&Node], at: usize, left: usize) -> Option<Vec<char>> {
     let text = flat[at].text()?;
     let before = at.checked_sub(1).and_then(|at| flat.get(at))?;
     let mut letters = text.chars();
@@ -93,7 +98,13 @@ fn compared(flat: &[&Node], at: usize) -> Option<Vec<char>> {
                 || matches!(node.kind, Kind::Group('(', _) | Kind::Group('{', _))
         })
         || next.is("=>") && behind.is_some_and(|node| node.name().is_some());
-    if is_one && (is_case || is_key) {
+    // `case 'F', 'G':`, `case 'F'.code, 'G'.code:`
+    let listed = |back: usize| left > 0 && at >= back && among(flat, at - back, left - 1).is_some();
+    let is_listed = || {
+        let is_code = at > 2 && flat[at - 2].name() == Some("code");
+        (before.is(",") || before.is("|")) && listed(if is_code { 4 } else { 2 })
+    };
+    if is_one && (is_case || is_key || is_listed()) {
         return Some(vec![first]);
     }
     let is_among = before.name() == Some("in") && text.chars().count() <= 8 && !text.contains(char::is_whitespace);
@@ -103,6 +114,8 @@ fn compared(flat: &[&Node], at: usize) -> Option<Vec<char>> {
 /// The action of the first known call, and the end of that call.
 fn action(body: &[&Node]) -> Option<(String, usize)> {
     let mut lifted = false;
+    // A place that is gone to, unless something is drawn there.
+    let mut moved = None;
     for (at, node) in body.iter().enumerate() {
         let Some(name) = node.name() else { continue };
         let Some(call) = body.get(at + 1).filter(|next| matches!(next.kind, Kind::Group('(', _))) else { continue };
@@ -130,7 +143,8 @@ fn action(body: &[&Node]) -> Option<(String, usize)> {
                 continue;
             }
             "forward" | "fd" | "goforward" | "drawforward" | "moveforward" if lifted => "move",
-            "forward" | "fd" | "line" | "drawline" | "lineto" | "drawforward" | "draw" | "goforward" => "draw",
+            "box" | "rect" | "fillrect" | "cylinder" | "forward" | "fd" | "line" | "drawline" | "lineto"
+            | "drawforward" | "draw" | "goforward" => "draw",
             "left" | "lt" | "turnleft" | "rotateleft" => return turn(!is_negative),
             "right" | "rt" | "turnright" | "rotateright" => return turn(is_negative),
             // On a canvas y goes down, so positive angles turn right.
@@ -140,12 +154,15 @@ fn action(body: &[&Node]) -> Option<(String, usize)> {
             // Of a list, only one that keeps states.
             "push" | "save" | "append" if inside.is_empty() || keeps(body, at) => "open branch",
             "pop" | "restore" if inside.is_empty() || keeps(body, at) => "close branch",
-            "translate" | "moveto" | "move" => "move",
+            "translate" | "moveto" | "move" => {
+                moved = moved.or(Some(call.span.end));
+                continue;
+            }
             _ => continue,
         };
         return Some((found.to_owned(), call.span.end));
     }
-    None
+    moved.map(|end| ("move".to_owned(), end))
 }
 
 /// Whether the call at a place is one of a stack: `stack.append(..)`.

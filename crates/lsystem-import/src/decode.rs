@@ -1,76 +1,21 @@
 //! A text as a person reads it: markup and commands of LaTeX and HTML are read where they stand. Every character keeps
 //! its place in the source.
 
-use crate::keys::{Key, key};
+use crate::mapped::Mapped;
+use crate::vocabulary::sign;
+use crate::vocabulary::{Key, key, rows};
+use crate::wrappings::entity;
 use core::ops::Range;
 
 /// Characters with their places.
 #[derive(Debug, Default)]
 pub(super) struct Decoded {
-    pub(super) text: String,
-    /// By byte of the text: the place in the source; and the end of the source.
-    places: Vec<usize>,
+    pub(super) mapped: Mapped,
     /// The places of line breaks in the text, in order.
     breaks: Vec<usize>,
     /// The places in the source of markup that stands for nothing or for a blank, in order.
     pub(super) markup: Vec<Range<usize>>,
 }
-
-/// Commands of LaTeX that stand for a character or for nothing, longer ones first.
-const COMMANDS: [(&str, &str); 40] = [
-    ("longrightarrow", "→"),
-    ("xrightarrow", "→"),
-    ("Rightarrow", "→"),
-    ("rightarrow", "→"),
-    ("mapsto", "→"),
-    ("lbrack", "["),
-    ("rbrack", "]"),
-    ("degree", "°"),
-    ("omega", "ω"),
-    ("delta", "δ"),
-    ("theta", "θ"),
-    ("alpha", "α"),
-    ("quad", " "),
-    ("qquad", " "),
-    ("circ", "°"),
-    ("left", ""),
-    ("right", ""),
-    ("mathrm", ""),
-    ("mathtt", ""),
-    ("mathit", ""),
-    ("texttt", ""),
-    ("textbf", ""),
-    ("textit", ""),
-    ("text", ""),
-    ("emph", ""),
-    ("item", "\n"),
-    ("par", "\n"),
-    ("colon", ":"),
-    ("pi", "π"),
-    ("to", "→"),
-    ("gt", ">"),
-    ("lt", "<"),
-    ("newline", "\n"),
-    ("hspace", " "),
-    ("vert", "|"),
-    ("wedge", "^"),
-    ("frac", ""),
-    ("ast", "*"),
-    ("varepsilon", "ε"),
-    ("epsilon", "ε"),
-];
-
-/// Signs of HTML.
-const ENTITIES: [(&str, &str); 8] = [
-    ("&gt;", ">"),
-    ("&lt;", "<"),
-    ("&amp;", "&"),
-    ("&nbsp;", " "),
-    ("&rarr;", "→"),
-    ("&deg;", "°"),
-    ("&quot;", "\""),
-    ("&#8594;", "→"),
-];
 
 impl Decoded {
     pub(super) fn new(source: &str) -> Self {
@@ -89,27 +34,31 @@ impl Decoded {
         ];
         let is_latex = commands.iter().any(|command| source.contains(command));
         let is_html = ["</", "<br", "<p>", "<li>", "/>"].iter().any(|tag| source.contains(tag));
-        let mut decoded = Self {
-            text: String::with_capacity(source.len()),
-            places: Vec::with_capacity(source.len() + 1),
-            breaks: Vec::new(),
-            markup: Vec::new(),
-        };
+        let mut decoded = Self::default();
+        // Markdown writes a backslash before signs of its own: `F\[+F\]`. As a symbol it stands before few brackets.
+        let is_escaped =
+            !is_latex && source.contains("\\]") && source.matches("\\]").count() == source.matches(']').count();
+        let mut pairs = Pairs::default();
         let mut aligned = 0_usize;
         let mut at = 0;
         while let Some(ch) = source[at..].chars().next() {
             let rest = &source[at..];
+            let mut buffer = [0; 4];
+            let named: String;
+            let mark = if is_latex { None } else { pairs.mark(source, at) };
             let (read, length) = match ch {
-                '&' => match ENTITIES.iter().find(|(name, _)| rest.starts_with(name)) {
-                    Some((name, sign)) => (*sign, name.len()),
+                '&' => match entity(rest) {
+                    Some((sign, length)) => {
+                        named = sign;
+                        (&*named, length)
+                    }
                     None if is_latex && aligned > 0 => (" ", 1),
                     None => ("&", 1),
                 },
                 '<' if is_html => match tag(rest) {
                     Some((pieces, length)) => {
                         for (place, piece) in pieces {
-                            decoded.text.push_str(&piece);
-                            decoded.places.extend(core::iter::repeat_n(at + place, piece.len()));
+                            decoded.mapped.push(at + place, &piece);
                         }
                         ("", length)
                     }
@@ -120,43 +69,43 @@ impl Decoded {
                     aligned = aligned.saturating_sub(usize::from(rest.starts_with("\\end{")));
                     command(rest)
                 }
+                '\\' if is_escaped && rest[1..].starts_with(|c: char| c.is_ascii_punctuation()) => (&rest[1..2], 2),
                 '$' if is_latex => ("", 1),
+                _ if mark.is_some() => ("", mark.unwrap_or_default()),
                 '^' if is_latex && (rest.starts_with("^\\circ") || rest.starts_with("^{\\circ}")) => {
                     ("°", if rest.starts_with("^\\") { 6 } else { 8 })
                 }
                 '{' | '}' if is_latex => ("", 1),
                 '\u{feff}' | '\u{200b}' => ("", ch.len_utf8()),
                 '\u{a0}' => (" ", ch.len_utf8()),
+                '。' => (".", ch.len_utf8()),
+                '、' => (",", ch.len_utf8()),
+                // Wide forms of ASCII.
+                '\u{ff01}'..='\u{ff5e}' => match char::from_u32(u32::from(ch) - 0xfee0) {
+                    Some(sign) => (&*sign.encode_utf8(&mut buffer), ch.len_utf8()),
+                    None => ("", ch.len_utf8()),
+                },
                 '\r' => ("", 1),
                 _ => (&rest[..ch.len_utf8()], ch.len_utf8()),
             };
             if read.trim().is_empty() && !ch.is_whitespace() {
                 decoded.markup.push(at..at + length);
             }
-            decoded.text.push_str(read);
-            decoded.places.extend(core::iter::repeat_n(at, read.len()));
+            decoded.mapped.push(at, read);
             at += length;
         }
-        decoded.places.push(source.len());
-        decoded.breaks = decoded.text.match_indices('\n').map(|(at, _)| at).collect();
+        decoded.mapped = decoded.mapped.end(source.len());
+        decoded.breaks = decoded.mapped.text.match_indices('\n').map(|(at, _)| at).collect();
         decoded
-    }
-
-    /// The place in the source of a range of the text.
-    pub(super) fn span(&self, range: &Range<usize>) -> Range<usize> {
-        let place = |at: usize| self.places.get(at).copied().unwrap_or_default();
-        // Up to where the next character begins; of one character, its whole sign.
-        let start = place(range.start);
-        start..if range.is_empty() { start } else { place(range.end).max(start) }
     }
 
     /// The whole lines of the text around a span of the source, as a span of the source.
     pub(super) fn lines_around(&self, span: Range<usize>) -> Range<usize> {
-        let (start, end) = (self.place_of(span.start), self.place_of(span.end));
+        let (start, end) = (self.mapped.at(span.start), self.mapped.at(span.end));
         let start = self.break_before(start).map_or(0, |at| at + 1);
         let next = self.breaks.partition_point(|at| *at < end);
-        let end = self.breaks.get(next).copied().unwrap_or(self.text.len());
-        let found = self.span(&(start..end));
+        let end = self.breaks.get(next).copied().unwrap_or(self.mapped.text.len());
+        let found = self.mapped.span(&(start..end));
         found.start.min(span.start)..found.end.max(span.end)
     }
 
@@ -164,10 +113,37 @@ impl Decoded {
     pub(super) fn break_before(&self, place: usize) -> Option<usize> {
         self.breaks.partition_point(|at| *at < place).checked_sub(1).map(|last| self.breaks[last])
     }
+}
 
-    /// The place in the text of a place in the source.
-    pub(super) fn place_of(&self, at: usize) -> usize {
-        self.places.partition_point(|place| *place < at).min(self.text.len())
+/// Marks of Markdown that stand in pairs: code, formulas of one name, bold words.
+#[derive(Default)]
+struct Pairs {
+    /// The place of the mark that closes, and its length.
+    close: Option<(usize, usize)>,
+}
+
+impl Pairs {
+    /// The length of the mark at a place; `None` if the characters stand for themselves, as symbols do.
+    fn mark(&mut self, source: &str, at: usize) -> Option<usize> {
+        if let Some((close, length)) = self.close
+            && close >= at
+        {
+            return (close == at).then_some(length);
+        }
+        let rest = &source[at..];
+        let mark = ["`", "$", "**", "__"].into_iter().find(|mark| rest.starts_with(mark))?;
+        let before = source[..at].chars().next_back().unwrap_or(' ');
+        let after = &rest[mark.len()..];
+        let inside = &after[..after.find(['\n', char::from(mark.as_bytes()[0])])?];
+        let behind = after[inside.len()..].strip_prefix(mark)?.chars().next().unwrap_or(' ');
+        let is_apart = |c: char| c.is_whitespace() || "().,;:|*_=°>-–".contains(c);
+        let fits = is_apart(before)
+            && is_apart(behind)
+            && !inside.is_empty()
+            && inside.trim() == inside
+            && (mark != "$" || inside.len() <= 5 && inside.chars().all(|c| c.is_alphanumeric() || c == '_'));
+        self.close = fits.then_some((at + mark.len() + inside.len(), mark.len()));
+        fits.then_some(mark.len())
     }
 }
 
@@ -190,19 +166,12 @@ fn command(text: &str) -> (&'static str, usize) {
         _ => {}
     }
     let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-    match COMMANDS.iter().find(|(name, _)| *name == &rest[..length]) {
-        Some((_, sign)) => (sign, 1 + length),
-        None => (" ", 1 + length),
-    }
+    (sign(&rest[..length]).unwrap_or(" "), 1 + length)
 }
 
 /// Tags of HTML that stand inside a line.
 const INLINE: [&str; 14] =
     ["code", "b", "i", "strong", "em", "span", "sub", "sup", "tt", "kbd", "a", "var", "font", "u"];
-/// Attributes for the sides of a rule.
-const FROM: [&str; 9] = ["char", "symbol", "from", "predecessor", "key", "letter", "left", "input", "lhs"];
-const TO: [&str; 9] = ["to", "successor", "value", "replacement", "right", "output", "rhs", "result", "string"];
-
 /// What a tag of HTML or XML at the start of a text says, in pieces with their places in it, and its length. The name of a
 /// part of a system becomes a label: `<axiom>X</axiom>`, `<rule from="F" to="FF"/>`.
 fn tag(text: &str) -> Option<(Vec<(usize, String)>, usize)> {
@@ -242,9 +211,9 @@ fn tag(text: &str) -> Option<(Vec<(usize, String)>, usize)> {
         let Some(quote) = rest.chars().next().filter(|c| matches!(c, '"' | '\'')) else { break };
         let Some(close) = rest[1..].find(quote) else { break };
         let (value, place) = (&rest[1..=close], sign + 2);
-        if FROM.contains(&&*name) {
+        if rows(&name).has(Key::Predecessor) {
             pieces.push((place, format!("{value} → ")));
-        } else if TO.contains(&&*name) {
+        } else if rows(&name).has(Key::Successor) {
             pieces.push((place, value.to_owned()));
         } else if key(&name).is_some() {
             pieces.push((place, format!("\n{name}: {value}\n")));

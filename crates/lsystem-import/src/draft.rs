@@ -2,6 +2,7 @@
 
 use crate::account::{Fate, Mark};
 use crate::source::Source;
+use crate::vocabulary::{Key, rows};
 use crate::{Entry, Remark};
 use core::array::IntoIter;
 use core::iter::Flatten;
@@ -43,12 +44,6 @@ pub(super) struct Draft<'a> {
 
 /// Characters between statements without a meaning of their own.
 const SEPARATORS: &str = ",;:.=(){}[]'\"`“”‘’*_|•·-–";
-/// Words between statements without a meaning of their own.
-const CONNECTIVES: [&str; 34] = [
-    "a", "an", "and", "are", "as", "at", "axiom", "by", "for", "from", "has", "have", "here", "in", "is", "it", "its",
-    "of", "or", "rule", "rules", "so", "that", "the", "then", "this", "to", "we", "where", "with", "und", "et", "mit",
-    "y",
-];
 /// The most characters that say what a part became.
 const MAX_WORDS: usize = 200;
 /// The most remarks of a system.
@@ -237,7 +232,7 @@ impl<'a> Draft<'a> {
         for gap in gaps {
             for line in self.source.text.get(gap).unwrap_or_default().lines() {
                 let words = line.split(|c: char| c.is_whitespace() || SEPARATORS.contains(c));
-                if words.filter(|word| !word.is_empty()).any(|word| !CONNECTIVES.contains(&&*word.to_lowercase())) {
+                if words.filter(|word| !word.is_empty()).any(|word| !rows(word).has(Key::Filler)) {
                     self.note_at(self.place(line.trim()), say!("This is not understood"));
                 }
             }

@@ -167,7 +167,14 @@ fn bare(source: Source<'_>) -> Option<Vec<Block<'_>>> {
     let is_one = |line: &&str| is_axiom(line) || is_angle(line) || is_rule(line);
     let is_accepted = |line: &&str| digits(first_word(line).1).0.parse().is_ok_and(|n: u32| (3..=50).contains(&n));
     let mut angles = lines.iter().filter(|line| is_angle(line));
-    if !has(is_axiom) || !has(is_angle) || !lines.iter().all(is_one) || !angles.all(is_accepted) {
+    // `angle = 25` is of other texts, in degrees.
+    let is_other = |line: &&str| (is_axiom(line) || is_angle(line)) && line.contains('=');
+    if !has(is_axiom)
+        || !has(is_angle)
+        || lines.iter().any(is_other)
+        || !lines.iter().all(is_one)
+        || !angles.all(is_accepted)
+    {
         return None;
     }
     let line = source.line_of(source.place(lines.first()?)?.start);

@@ -11,7 +11,6 @@
 //! ```
 
 use crate::draft::Draft;
-use crate::own::body;
 use crate::source::Source;
 use lsystem_drawing::System;
 use lsystem_files::link::read_fields;
@@ -24,7 +23,7 @@ const OTHERS: [&str; 2] = ["controls", "theme"];
 const LOOK: [&str; 4] = ["auto", "colour", "width", "thinner"];
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    let all = body(source.text.trim_start_matches('\u{feff}').trim());
+    let all = source.text.trim_start_matches('\u{feff}').trim();
     let place = source.place(all)?;
     let mut draft = Draft::new(source, "", source.line_of(place.start));
     let mut fields: BTreeMap<&str, String> = BTreeMap::new();

@@ -24,11 +24,10 @@ mod cpfg;
 mod decode;
 mod draft;
 mod fractint;
-mod groimp;
 mod houdini;
-mod keys;
 mod labelled;
 mod link;
+mod mapped;
 mod objects;
 mod own;
 mod phrases;
@@ -39,24 +38,27 @@ mod source;
 mod statements;
 mod tikz;
 mod tokens;
+mod unread;
 mod value;
+mod vocabulary;
+mod wrappings;
 pub mod write;
 
-#[cfg(test)]
-mod drawn;
 #[cfg(test)]
 mod tests;
 
 pub use account::{Fate, Part};
 
-use account::account;
+use account::{Mark, account};
 use core::ops::Range;
 use draft::Draft;
 use lsystem_base::{MAX_TEXT, say, word};
 use lsystem_files::text_of;
 use lsystem_syntax::Definition;
+use mapped::Mapped;
 use source::{Lines, Source};
 use std::borrow::Cow;
+use wrappings::{Fence, Peeled};
 
 /// All systems of a text in another notation.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,13 +111,15 @@ const READERS: &[(&str, Reader)] = &[
     (OWN_JSON, own::read),
     (word!("a link"), link::read),
     (word!("our own notation"), labelled::read),
+    ("LaTeX", unread::latex),
     ("TikZ", tikz::read),
+    ("L+C", unread::l_plus_c),
     ("cpfg", cpfg::read_cpfg),
     ("L-Py", cpfg::read_lpy),
     ("Houdini", houdini::read),
     ("Fractint", fractint::read),
     ("Racket", racket::read),
-    (word!("GroIMP’s XL"), groimp::read),
+    (word!("GroIMP’s XL"), unread::xl),
     (word!("a program"), objects::read),
     (word!("anvaka’s page"), anvaka::read),
     (word!("a description"), statements::read),
@@ -131,22 +135,93 @@ pub fn import(text: &str) -> Option<Imported> {
     }
     // Old line ends of one byte become new ones of one byte, so that places stay.
     let text: &str = &if text.contains('\r') { with_line_ends(text) } else { Cow::Borrowed(text) };
-    let lines = Lines::new(text);
-    let source = Source::new(text, &lines);
-    READERS.iter().find_map(|&(notation, read)| {
-        let drafts = read(source).filter(|drafts| !drafts.is_empty())?;
-        let has_more = drafts.len() > MAX_ENTRIES;
-        let (mut entries, mut marks) = (Vec::new(), Vec::new());
-        for (at, draft) in drafts.into_iter().take(MAX_ENTRIES).enumerate() {
-            let (entry, own) = draft.finish();
-            entries.push(entry);
-            marks.extend(own.into_iter().map(|mark| (at, mark)));
-        }
-        if has_more && let Some(last) = entries.last_mut() {
+    let Found { notation, mut entries, marks } = Reading::new(text).read(text, 0, false)?;
+    if entries.len() > MAX_ENTRIES {
+        entries.truncate(MAX_ENTRIES);
+        if let Some(last) = entries.last_mut() {
             let message = say!("Only the first {} systems are read", MAX_ENTRIES);
             last.remarks.push(Remark { line: 1, text: String::new(), message, refused: false, span: 0..0 });
         }
-        Some(Imported { notation, entries, account: account(text.len(), marks) })
+    }
+    let marks = marks.into_iter().filter(|(at, _)| *at < MAX_ENTRIES).collect();
+    Some(Imported { notation, entries, account: account(text.len(), marks) })
+}
+
+/// The systems of a text, and the marks on it by system.
+struct Found {
+    notation: &'static str,
+    entries: Vec<Entry>,
+    marks: Vec<(usize, Mark)>,
+}
+
+/// Reads what is inside the wrappings of texts, as long as the work stays in proportion to the first one.
+struct Reading {
+    /// How many bytes may still be read once more.
+    left: usize,
+}
+
+impl Reading {
+    /// Wrappings inside one another are taken off this many times.
+    const DEEPEST: usize = 3;
+    /// Short texts may have many wrappings.
+    const MIN_BYTES: usize = 100_000;
+
+    fn new(text: &str) -> Self {
+        Self { left: (3 * text.len()).max(Self::MIN_BYTES) }
+    }
+
+    /// Reads a text: what is inside its wrappings, or else the text itself.
+    fn read(&mut self, text: &str, depth: usize, is_rest: bool) -> Option<Found> {
+        let lines = Lines::new(text);
+        let mut inside = |inner: &Mapped, is_rest| {
+            self.left = self.left.checked_sub(inner.text.len())?;
+            Some(inner.moved(self.read(&inner.text, depth + 1, is_rest)?, &lines))
+        };
+        let found = match wrappings::peel(text, is_rest) {
+            _ if depth == Self::DEEPEST => None,
+            Peeled::Nothing => None,
+            Peeled::Whole(inner) => inside(&inner, false),
+            Peeled::Parts(parts) => parts.iter().filter_map(|part| inside(part, false)).reduce(Found::and),
+            Peeled::Fenced(fences) => {
+                let mut read = |fence: &Fence| inside(&wrappings::part(text, fence.inside.clone()), false);
+                let found: Vec<Option<Found>> = fences.iter().map(&mut read).collect();
+                // Blocks that hold no system belong to the text around.
+                let passed = fences.iter().zip(&found).flat_map(|(Fence { whole, inside }, found)| match found {
+                    Some(_) => vec![whole.clone()],
+                    None if text[whole.start..].trim_start().starts_with(['`', '~']) => {
+                        vec![whole.start..inside.start, inside.end..whole.end]
+                    }
+                    None => Vec::new(),
+                });
+                let rest = inside(&wrappings::without(text, passed), true);
+                found.into_iter().flatten().chain(rest).reduce(Found::and)
+            }
+        };
+        found.or_else(|| plain(text, &lines))
+    }
+}
+
+impl Found {
+    fn and(mut self, other: Self) -> Self {
+        let before = self.entries.len();
+        self.entries.extend(other.entries);
+        self.marks.extend(other.marks.into_iter().map(|(at, mark)| (before + at, mark)));
+        self
+    }
+}
+
+/// Reads a text without wrappings.
+fn plain(text: &str, lines: &Lines) -> Option<Found> {
+    let source = Source::new(text, lines);
+    READERS.iter().find_map(|&(notation, read)| {
+        let drafts = read(source).filter(|drafts| !drafts.is_empty())?;
+        let mut found = Found { notation, entries: Vec::new(), marks: Vec::new() };
+        for (at, draft) in drafts.into_iter().take(MAX_ENTRIES + 1).enumerate() {
+            let (entry, marks) = draft.finish();
+            found.entries.push(entry);
+            found.marks.extend(marks.into_iter().map(|mark| (at, mark)));
+        }
+        Some(found)
     })
 }
 

@@ -19,82 +19,33 @@ mod rules;
 use crate::assembly::{Angle, Said, Statements, Symbols};
 use crate::branches::{Branches, branches};
 use crate::draft::Draft;
-use crate::keys::{Key, key, letter_of};
 use crate::prose_words::is_prose;
 use crate::rules::split_rule;
 use crate::source::Source;
 use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Value, What, elements, members};
+use crate::vocabulary::{Key, key, letter_of, rows};
 use core::ops::Range;
 use lsystem_base::say;
-use object::{angle_of, contradict, is_of_symbols, is_sure, word_of};
+use object::{angle_of, is_of_symbols, is_sure, word_of};
 use rules::Rules;
 
 /// The most symbols whose branches each system of a text gets.
 const MAX_BRANCHES: usize = 256;
 /// Words of which a text without an axiom by that name has one.
 const FIELD: [&str; 6] = ["axiom", "l-system", "lsystem", "lindenmayer", "l_system", "turtle"];
-/// A weight of a random choice.
-const WEIGHT: &[&str] = &["weight", "p", "prob", "probability", "chance", "w", "odds"];
-/// A successor.
-const TO: &[&str] = &[
-    "successor",
-    "out",
-    "to",
-    "output",
-    "replacement",
-    "replace",
-    "b",
-    "body",
-    "value",
-    "result",
-    "string",
-    "rule",
-    "right",
-    "production",
-    "rhs",
-    "e",
-    "after",
-    "then",
-    "successors",
-    "productions",
-    "options",
-    "next",
-];
-/// A predecessor.
-const FROM: &[&str] = &[
-    "predecessor",
-    "in",
-    "from",
-    "input",
-    "symbol",
-    "a",
-    "key",
-    "letter",
-    "char",
-    "character",
-    "left",
-    "lhs",
-    "head",
-    "before",
-    "match",
-    "find",
-    "variable",
-    "name",
-];
-
 /// Parts of the names of functions that take an axiom and rules.
-const MAKERS: [&str; 5] = ["lsys", "l_sys", "lindenmayer", "grammar", "derivation"];
+const MAKERS: [&str; 6] = ["lsys", "l_sys", "lindenmayer", "grammar", "derivation", SUBSTITUTION];
+/// The function of Wolfram's language, which takes rules, an axiom and the number of steps.
+const SUBSTITUTION: &str = "substitutionsystem";
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
-    let lower = text.to_ascii_lowercase();
-    let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-    let has_axiom = has(&["axiom", "start", "init", "omega", "seed", "s0"]);
-    let has_rules = has(&["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]);
-    if !(has(&MAKERS) || has_axiom && has_rules) {
+    // A list with words in backquotes is no program.
+    if !text.contains(['{', ';', '"', '\'', '(']) {
         return None;
     }
+    let lower = text.to_ascii_lowercase();
     let tree = tree(text);
     let mut reader = Reader {
         text,
@@ -151,14 +102,23 @@ impl Reader<'_> {
                 at = member.next.max(at + 1);
                 continue;
             }
-            let called = nodes.get(at + 1).filter(|next| !next.is_first && matches!(next.kind, Kind::Group('(', _)));
+            let is_bracket = |next: &&Node| match next.kind {
+                Kind::Group('(', _) => true,
+                Kind::Group('[', _) => node.name().is_some_and(|name| name.eq_ignore_ascii_case(SUBSTITUTION)),
+                _ => false,
+            };
+            let called = nodes.get(at + 1).filter(|next| !next.is_first).filter(is_bracket);
             if let (Some(function), Some(arguments)) = (node.name(), called) {
-                let receiver = match nodes.get(..at) {
-                    Some([.., object, dot]) if dot.is(".") || dot.is("::") => object.name(),
-                    _ => None,
+                // `rules.add(..)`, `rules['F'].push_back(..)`
+                let (receiver, index) = match nodes.get(..at) {
+                    Some([.., object, index, dot]) if dot.is(".") && index.group().is_some() => {
+                        (object.name(), index.group().and_then(|inside| inside.first()?.text()))
+                    }
+                    Some([.., object, dot]) if dot.is(".") || dot.is("::") => (object.name(), None),
+                    _ => (None, None),
                 };
                 let span = node.span.start..arguments.span.end;
-                if self.call(function, receiver, arguments, span) {
+                if self.call(function, receiver, index, arguments, span) {
                     at += 2;
                     continue;
                 }
@@ -183,7 +143,10 @@ impl Reader<'_> {
                 self.systems.push(system);
                 return true;
             }
+            // `grammar := New("F")` of Go
+            let is_new = |function: &str| ["new", "create", "make"].contains(&&*function.to_ascii_lowercase());
             if let Some(function) = function
+                && let function = if is_new(function) { &member.key } else { *function }
                 && self.constructor(function, node, member.value.span.clone(), &member.key)
             {
                 return true;
@@ -206,19 +169,24 @@ impl Reader<'_> {
                         rules.keyed(index.text().unwrap_or_default(), &member.value);
                     }
                     Some(_) => rules.listed(&member.value),
-                    None if key == Key::Rule
-                        && letter_of(&member.key).is_some()
+                    // `rules_a = "FF"` says the letter; `rules = {...}` says all.
+                    None if let Some(letter) = letter_of(&member.key)
                         && member.value.text().is_some_and(|text| split_rule(text).is_none()) =>
                     {
-                        let letter = letter_of(&member.key).unwrap_or_default();
-                        rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
-                    }
-                    // `rules_a = "FF"` says the letter; `rules = {...}` says all.
-                    None if member.value.text().is_some() && letter_of(&member.key).is_some() => {
-                        let letter = letter_of(&member.key).unwrap_or_default();
                         rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
                     }
                     None => rules.all(&member.value),
+                }
+                // `rules = "X=FX", "F=FF"`
+                let mut behind = member.next;
+                while let Some([comma, next]) = nodes.get(behind..behind + 2)
+                    && comma.is(",")
+                    && !next.is_first
+                    && let Some(text) = next.text()
+                    && !rules.found.is_empty()
+                {
+                    rules.lines(text, &next.span);
+                    behind += 2;
                 }
                 if rules.found.is_empty() && rules.lines.is_empty() {
                     return false;
@@ -226,44 +194,28 @@ impl Reader<'_> {
                 let whole = member.index.is_none() && key == Key::Rules && letter_of(&member.key).is_none();
                 self.flat_rules(rules, member.span.clone(), whole);
             }
-            Key::Angle | Key::LeftAngle | Key::RightAngle | Key::LengthFactor | Key::Heading => {
-                let Some(number) = member.value.number().filter(|number| *number != 0.0) else { return false };
-                let angle = angle_of(&member.key, &member.value);
-                let said = Said::new(angle.unwrap_or(Angle::Unknown(number)), member.span.clone());
-                let differs =
-                    |known: &Option<Said<Angle>>| known.as_ref().is_some_and(|known| known.value != said.value);
-                let flat = self.flat_mut(member.span.start);
-                match key {
-                    Key::Angle if differs(&flat.angle) => {
-                        let first = flat.angle.clone();
-                        if flat.axiom.is_some() && !flat.rules.is_empty() {
-                            self.next_flat();
-                            self.flat_mut(member.span.start).angle = Some(said);
-                        } else if let Some(first) = first {
-                            contradict(self.flat_mut(member.span.start), &first.span, &member.span);
-                        }
-                    }
-                    Key::Angle => flat.angle = Some(said),
-                    Key::LeftAngle => flat.left = Some(said),
-                    Key::RightAngle => flat.right = Some(said),
-                    Key::LengthFactor => flat.factor = Some(Said::new(number, member.span.clone())),
-                    _ => return false,
-                }
-                self.extend(member.span.clone());
-            }
-            Key::Iterations => {
-                let Some(number) = member.value.number().filter(|n| n.fract() == 0.0 && *n > 0.0 && *n < 1e6) else {
+            Key::Angle | Key::LeftAngle | Key::RightAngle | Key::LengthFactor | Key::Iterations => {
+                let number = member.value.number().filter(|number| *number != 0.0);
+                let Some(number) = number.filter(|n| *n > 0.0 && *n < 1e6 || key != Key::Iterations) else {
                     return false;
                 };
                 let weak = matches!(member.key.as_str(), "n" | "i" | "steps" | "level" | "order" | "gen" | "size");
-                if weak && !self.of_field {
+                if key == Key::Iterations && (weak && !self.of_field || number.fract() != 0.0) {
                     return false;
                 }
                 let flat = self.flat_mut(member.span.start);
-                if flat.iterations.is_none() {
-                    flat.iterations = Some(Said::new(number.to_string(), member.span.clone()));
-                    self.extend(member.span.clone());
+                let angle = angle_of(&member.key, &member.value);
+                let differs = flat.angle.as_ref().is_some_and(|known| Some(known.value) != angle);
+                if key == Key::Angle && differs && flat.axiom.is_some() && !flat.rules.is_empty() {
+                    self.next_flat();
                 }
+                let mut said =
+                    core::mem::replace(self.flat_mut(member.span.start), Statements::new("", 0, Symbols::Usual));
+                if key != Key::Iterations || said.iterations.is_none() {
+                    self.part(&mut said, member);
+                    said.extents.push(member.span.clone());
+                }
+                *self.flat_mut(member.span.start) = said;
             }
             Key::Name if name.is_some_and(|name| matches!(&*name.to_ascii_lowercase(), "name" | "title")) => {
                 let Some(text) = member.value.text() else { return false };
@@ -279,53 +231,42 @@ impl Reader<'_> {
     }
 
     /// Reads a call; whether it is a part of a system.
-    fn call(&mut self, function: &str, receiver: Option<&str>, arguments: &Node, span: Range<usize>) -> bool {
+    fn call(
+        &mut self,
+        function: &str,
+        receiver: Option<&str>,
+        index: Option<&str>,
+        arguments: &Node,
+        span: Range<usize>,
+    ) -> bool {
         let Some(inside) = arguments.group() else { return false };
         let own = elements(inside);
-        let name: String = function.chars().filter(|c| *c != '_').collect::<String>().to_ascii_lowercase();
+        let names = rows(function);
         let to_rules = receiver.is_some_and(|receiver| matches!(key(receiver), Some(Key::Rules | Key::Rule)));
-        let adds_rule = matches!(
-            &*name,
-            "addrule"
-                | "setrule"
-                | "rule"
-                | "addproduction"
-                | "production"
-                | "withrule"
-                | "addrules"
-                | "newrule"
-                | "defrule"
-        );
-        let fills = matches!(&*name, "put" | "insert" | "set" | "add" | "push" | "append" | "emplace" | "pushback");
-        if adds_rule || fills && to_rules {
+        if names.has(Key::AddsRule) || names.has(Key::AddsToList) && to_rules {
             let mut rules = Rules::default();
-            rules.arguments(&own, span.clone());
+            match (index, &own[..]) {
+                (Some(letter), [to]) => rules.keyed(letter, to),
+                _ => rules.arguments(&own, span.clone()),
+            }
             if rules.found.is_empty() {
                 return false;
             }
             self.flat_rules(rules, span, false);
             return true;
         }
-        match (&*name, &own[..]) {
-            ("setaxiom" | "axiom" | "withaxiom" | "initiator" | "setstart" | "startwith", [word, ..])
-                if word.text().is_some() =>
-            {
+        match (&own[..], receiver) {
+            ([word, ..], _) if names.has(Key::SetsAxiom) && word.text().is_some() => {
                 self.flat_axiom(word.text().unwrap_or_default(), span, true);
                 true
             }
-            ("setangle" | "angle" | "withangle" | "setturnangle" | "setdelta" | "turnangle", [angle])
-                if angle.number().is_some() =>
-            {
+            ([angle], _) if names.has(Key::SetsAngle) && angle.number().is_some() => {
                 let angle = angle_of(function, angle).unwrap_or(Angle::Unknown(0.0));
                 self.flat_mut(span.start).angle = Some(Said::new(angle, span.clone()));
                 self.extend(span);
                 true
             }
-            (
-                "iterate" | "iterations" | "setiterations" | "generations" | "setdepth" | "withiterations" | "simulate"
-                | "generate",
-                [n],
-            ) if n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) => {
+            ([n], _) if names.has(Key::Runs) && n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) => {
                 let n = n.number().unwrap_or_default().to_string();
                 if self.flat.said.is_some() {
                     self.flat_mut(span.start).iterations = Some(Said::new(n, span.clone()));
@@ -338,8 +279,8 @@ impl Reader<'_> {
                 true
             }
             // `LSystem::new(..)`, `LSystem.create(..)`
-            ("new" | "create" | "build" | "init" | "from", _) if receiver.is_some() => {
-                self.constructor(receiver.unwrap_or_default(), arguments, span, "")
+            (_, Some(receiver)) if matches!(function, "new" | "create" | "build" | "init" | "from") => {
+                self.constructor(receiver, arguments, span, "")
             }
             _ => self.constructor(function, arguments, span, ""),
         }
@@ -358,14 +299,28 @@ impl Reader<'_> {
         {
             return false;
         }
-        let words: Vec<&Value<'_>> =
+        let mut words: Vec<&Value<'_>> =
             own.iter().filter(|value| value.text().is_some_and(|text| !is_prose(text))).collect();
-        let groups: Vec<&Value<'_>> = own.iter().filter(|value| value.items().is_some()).collect();
-        let Some(word) = words.last().filter(|_| words.len() <= 2) else { return false };
+        // An alphabet is no rule: `{"+", "-"}`.
+        let is_alphabet = |value: &Value<'_>| {
+            let own = value.elements();
+            own.len() > 1 && own.iter().all(|one| one.text().is_some_and(|text| !text.contains(char::is_alphanumeric)))
+        };
+        let groups: Vec<&Value<'_>> =
+            own.iter().filter(|value| value.items().is_some() && !is_alphabet(value)).collect();
         let mut rules = Rules::default();
         groups.iter().for_each(|group| rules.all(group));
+        // Of several words, the axiom is the only one with a letter that is replaced.
+        if words.len() > 1 && !rules.found.is_empty() {
+            let begins = |word: &&Value<'_>| {
+                let text = word.text().unwrap_or_default();
+                rules.found.iter().any(|rule| rule.from.chars().next().is_some_and(|symbol| text.contains(symbol)))
+            };
+            words.retain(begins);
+        }
+        let [word] = words[..] else { return false };
         if rules.found.is_empty() {
-            if groups.is_empty() && words.len() == 1 {
+            if groups.is_empty() {
                 self.flat_axiom(word.text().unwrap_or_default(), span, true);
                 return true;
             }
@@ -378,9 +333,27 @@ impl Reader<'_> {
         for member in arguments.group().map(members).unwrap_or_default() {
             self.part(&mut said, &member);
         }
-        for value in &own {
-            if value.number().is_some() && said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
-                said.note(value.span.clone(), say!("The text does not say what this number is"));
+        // Of two numbers, a small whole one can only be the number of iterations, and a large one the angle.
+        let numbers: Vec<(f64, &Value<'_>)> = own.iter().filter_map(|value| Some((value.number()?, value))).collect();
+        let is_steps = |n: f64| n.fract() == 0.0 && (1.0..=12.0).contains(&n);
+        let steps = match numbers[..] {
+            [n, (degrees, place)] | [(degrees, place), n]
+                if is_steps(n.0) && (15.0..=180.0).contains(&degrees) && said.angle.is_none() =>
+            {
+                said.angle = Some(Said::new(Angle::Degrees(degrees), place.span.clone()));
+                Some(n)
+            }
+            [n] if lower == SUBSTITUTION => Some(n),
+            _ => None,
+        };
+        match steps {
+            Some((n, place)) => said.iterations = Some(Said::new(n.to_string(), place.span.clone())),
+            None => {
+                for (_, value) in numbers {
+                    if said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
+                        said.note(value.span.clone(), say!("The text does not say what this number is"));
+                    }
+                }
             }
         }
         self.systems.push(said);

@@ -11,7 +11,7 @@ use lsystem_files::read_json;
 use lsystem_syntax::{Definition, Diagnostic};
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    let all = body(source.text.trim_start_matches('\u{feff}').trim());
+    let all = source.text.trim_start_matches('\u{feff}').trim();
     let (text, from) = (all, source.place(all)?.start);
     if !text.starts_with(['{', '/']) || !has_key(text, "initial") {
         return None;
@@ -44,13 +44,6 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         draft.definition = definition;
     }
     Some(vec![draft])
-}
-
-/// The text between the fences of Markdown, if they enclose all of a text; else the text itself.
-pub(super) fn body(text: &str) -> &str {
-    let inside = text.strip_prefix("```").and_then(|rest| rest.strip_suffix("```"));
-    let inside = inside.and_then(|inside| inside.split_once('\n')).filter(|(name, _)| !name.contains('{'));
-    inside.map_or(text, |(_, inside)| inside.trim())
 }
 
 /// The place of a problem with a definition in the text of its file: of the line with the problem, if it stands there

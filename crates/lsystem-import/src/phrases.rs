@@ -1,117 +1,81 @@
 //! What symbols do, in words: `+ means turn right`, `0: draw a line segment`, `[: push position and angle`.
 
 use crate::angle::angle;
+use crate::vocabulary::{Key, rows, rows_within};
+use lsystem_base::number::number;
 
 /// The actions that a phrase names, in the words of custom symbols, and the angle of its turns.
 pub(super) fn actions(phrase: &str) -> Option<(Vec<&'static str>, Option<f64>)> {
     let lower = phrase.to_lowercase();
-    let has = |words: &[&str]| words.iter().any(|word| contains(&lower, word));
     let mut found = Vec::new();
     let mut turn = None;
     // In the order of their places: `push position and angle, turn left 45 degrees`.
     for part in
         lower.split([',', ';', '&']).flat_map(|part| part.split(" and then ")).flat_map(|part| part.split(" then "))
     {
-        let has = |words: &[&str]| words.iter().any(|word| contains(part, word));
-        let turns = has(&[
-            "turn", "turns", "rotate", "rotates", "rotation", "drehe", "drehen", "tourner", "tourne", "girar", "gira",
-        ]);
-        let left = has(&[
-            "left",
-            "counterclockwise",
-            "counter-clockwise",
-            "anticlockwise",
-            "anti-clockwise",
-            "ccw",
-            "links",
-            "gauche",
-            "izquierda",
-        ]);
-        let right = has(&["right", "clockwise", "cw", "rechts", "droite", "derecha"]) && !left;
-        let action = if has(&["push", "save", "store", "remember", "speichern", "sauvegarder", "empiler", "guardar"]) {
-            "open branch"
-        } else if has(&[
-            "pop",
-            "restore",
-            "return to",
-            "recall",
-            "go back to",
-            "wiederherstellen",
-            "restaurer",
-            "dépiler",
-        ]) {
-            "close branch"
-        } else if has(&["pitch down"]) {
-            "pitch down"
-        } else if has(&["pitch up"]) {
-            "pitch up"
-        } else if has(&["roll left"]) || has(&["roll"]) && left {
-            "roll left"
-        } else if has(&["roll right"]) || has(&["roll"]) && right {
-            "roll right"
-        } else if has(&["turn around", "turn round", "reverse", "turn back", "180"]) && !has(&["pitch", "roll"]) {
-            "turn round"
-        } else if left && (turns || angle_in(part).is_some()) {
-            "turn left"
-        } else if right && (turns || angle_in(part).is_some()) {
-            "turn right"
-        } else if has(&["without drawing", "without line", "pen up", "no line", "don't draw", "not draw"])
-            || has(&["move", "moves", "bewege", "avancer sans"]) && !has(&["draw", "drawing", "line", "zeichne"])
-        {
-            "move"
-        } else if has(&[
-            "draw",
-            "draws",
-            "drawing",
-            "forward",
-            "line",
-            "segment",
-            "zeichne",
-            "zeichnen",
-            "vorwärts",
-            "avancer",
-            "avance",
-            "dessiner",
-            "dibujar",
-            "avanzar",
-            "adelante",
-        ]) {
-            "draw"
-        } else {
-            continue;
+        let rows = rows_within(part);
+        let has = |key| rows.has(key);
+        let left = has(Key::Left);
+        let right = has(Key::Right) && !left;
+        let angle = angle_in(part);
+        let turns = has(Key::Turn) || angle.is_some();
+        let action = match () {
+            () if has(Key::Push) => "open branch",
+            () if has(Key::Pop) => "close branch",
+            () if has(Key::PitchDown) => "pitch down",
+            () if has(Key::PitchUp) => "pitch up",
+            () if has(Key::RollLeft) || has(Key::Roll) && left => "roll left",
+            () if has(Key::RollRight) || has(Key::Roll) && right => "roll right",
+            () if has(Key::Round) && !has(Key::Pitch) && !has(Key::Roll) => "turn round",
+            () if left && turns => "turn left",
+            () if right && turns => "turn right",
+            () if has(Key::NoLine) || has(Key::Move) && !DRAWING.iter().any(|word| contains(part, word)) => "move",
+            () if has(Key::Draw) => "draw",
+            () => continue,
         };
         if action.starts_with("turn ") && action != "turn round" && turn.is_none() {
-            turn = angle_in(part);
+            turn = angle;
         }
         found.push(action);
     }
-    if found.is_empty()
-        && has(&[
-            "nothing",
-            "no action",
-            "ignore",
-            "ignored",
-            "placeholder",
-            "not drawn",
-            "no effect",
-            "do not draw",
-            "control",
-            "nichts",
-            "rien",
-            "nada",
-        ])
-    {
+    if found.is_empty() && rows_within(&lower).has(Key::Nothing) {
         return Some((found, None));
     }
     (!found.is_empty()).then_some((found, turn))
 }
 
-/// Whether a text contains a word or words as a whole.
-fn contains(text: &str, words: &str) -> bool {
-    text.match_indices(words).any(|(at, _)| {
-        let part = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
-        !part(text[..at].chars().next_back()) && !part(text[at + words.len()..].chars().next())
+/// The parts of a phrase that says what two symbols do: `push / pop state`, `turn left and right by 30°`.
+pub(super) fn pair(phrase: &str) -> Option<(String, String)> {
+    let (one, other) =
+        ["/", " and ", " or ", ", ", " und ", " et ", " y "].iter().find_map(|sign| phrase.split_once(sign))?;
+    let (first, angle) = actions(one)?;
+    let opposite = |action: &str| match action {
+        "open branch" => "close branch",
+        "turn left" => "turn right",
+        "turn right" => "turn left",
+        "pitch down" => "pitch up",
+        "pitch up" => "pitch down",
+        "roll left" => "roll right",
+        "roll right" => "roll left",
+        _ => "",
+    };
+    // `turn left / right`: the second part lacks the first word.
+    let verb = one.split_whitespace().next().unwrap_or_default();
+    [other.to_owned(), format!("{verb} {other}")].into_iter().find_map(|other| {
+        let (second, degrees) = actions(&other)?;
+        let fits = first.len() == 1 && second.len() == 1 && opposite(first[0]) == second[0];
+        let angle =
+            degrees.filter(|_| angle.is_none()).map_or(String::new(), |degrees| format!(" {}°", number(degrees)));
+        fits.then(|| (format!("{one}{angle}"), other))
     })
+}
+
+/// Words beside `move` that say that a line is drawn.
+const DRAWING: [&str; 4] = ["draw", "drawing", "line", "zeichne"];
+
+/// Whether a text contains a word as a whole.
+fn contains(text: &str, word: &str) -> bool {
+    text.split(|c: char| !c.is_alphanumeric()).any(|own| own == word)
 }
 
 /// The first number of a phrase as an angle.
@@ -119,50 +83,6 @@ fn angle_in(phrase: &str) -> Option<f64> {
     let at = phrase.find(|c: char| c.is_ascii_digit() || c == 'π')?;
     angle(&phrase[at..]).ok().map(|(degrees, ..)| degrees)
 }
-
-/// Words between symbols and what they do.
-const CONNECTORS: [&str; 40] = [
-    "and",
-    "or",
-    "both",
-    "mean",
-    "means",
-    "is",
-    "are",
-    "stands",
-    "stand",
-    "for",
-    "denotes",
-    "denote",
-    "represents",
-    "represent",
-    "symbol",
-    "symbols",
-    "the",
-    "letter",
-    "letters",
-    "variables",
-    "variable",
-    "character",
-    "characters",
-    "command",
-    "constants",
-    "where",
-    "here",
-    "with",
-    "to",
-    "->",
-    "→",
-    "=",
-    ":",
-    "-",
-    "–",
-    "und",
-    "bedeutet",
-    "bedeuten",
-    "signifie",
-    "significa",
-];
 
 /// Longer words are no symbols, in bytes.
 const LONGEST: usize = 100;
@@ -192,10 +112,11 @@ pub(super) fn symbols(sentence: &str) -> Option<(Vec<char>, usize)> {
         let own = own.trim_matches(['"', '\'', '`', '“', '”', '‘', '’', '*']);
         let mut letters = if own.is_empty() { token.chars() } else { own.chars() };
         let (first, second) = (letters.next(), letters.next());
-        if CONNECTORS.contains(&&*token.to_lowercase()) && !found.is_empty()
+        let is_connector = rows(token).has(Key::Connector) || matches!(token, "->" | "→" | "=" | ":" | "-" | "–");
+        if is_connector && !found.is_empty()
             || matches!(&*token.to_lowercase(), "the" | "symbol" | "symbols" | "letter" | "where" | "here" | "letters")
         {
-            connected |= !matches!(token, "and" | "or" | "und" | "the" | "symbol" | "letter");
+            connected |= !found.is_empty() && !matches!(token, "and" | "or" | "und" | "the" | "symbol" | "letter");
         } else if let (Some(first), None) = (first, second)
             && !connected
         {
@@ -208,6 +129,10 @@ pub(super) fn symbols(sentence: &str) -> Option<(Vec<char>, usize)> {
         {
             found.extend(head.chars().chain(tail.chars()));
         } else {
+            // In `[ / ]: push / pop`, the middle one only joins.
+            if let [_, '/', _] = found[..] {
+                found.remove(1);
+            }
             return (!found.is_empty() && connected).then_some((found, rest_at));
         }
         at = rest_at + end;

@@ -67,6 +67,13 @@ pub(super) fn weighted(to: &str) -> (&str, Option<f64>) {
             return (before.trim_end_matches([' ', ',']), Some(weight));
         }
     }
+    if let Some((head, rest)) = to.split_once(':')
+        && head.contains(['.', '%'])
+        && !rest.trim().is_empty()
+        && let Some(weight) = weight(head)
+    {
+        return (rest.trim(), Some(weight));
+    }
     if let Some(end) = to.find(char::is_whitespace)
         && to[..end].contains(['.', '%'])
         && let Some(weight) = weight(to[..end].trim_end_matches([':', '→']))
@@ -75,6 +82,33 @@ pub(super) fn weighted(to: &str) -> (&str, Option<f64>) {
     }
     (to, None)
 }
+
+/// A symbol with a weight in parentheses: `F(0.6)`.
+pub(super) fn weighted_symbol(from: &str) -> (&str, Option<f64>) {
+    let inside = from.strip_suffix(')').and_then(|rest| rest.split_once('('));
+    match inside.and_then(|(symbol, inside)| Some((symbol, weight(inside).filter(|weight| *weight <= 1.0)?))) {
+        Some((symbol, weight)) if symbol.chars().count() == 1 => (symbol, Some(weight)),
+        _ => (from, None),
+    }
+}
+
+/// The successors of a rule's right side, with their weights: one, or alternatives between upright strokes. A stroke that
+/// stands between blanks as other symbols do is a symbol.
+pub(super) fn alternatives(to: &str, weight: Option<f64>) -> Vec<(&str, Option<f64>)> {
+    let found: Vec<(&str, Option<f64>)> = to.split(" | ").map(|part| bare(part, weight)).collect();
+    let is_word = |(word, _): &(&str, Option<f64>)| !word.is_empty() && !word.contains([' ', '|']);
+    if found.len() > 1 && found.iter().all(is_word) { found } else { vec![bare(to, weight)] }
+}
+
+/// A successor without quotes and signs of nothing, and its weight.
+fn bare(to: &str, weight: Option<f64>) -> (&str, Option<f64>) {
+    let (word, own) = weighted(to);
+    let word = word.trim_matches(['"', '`', '“', '”', '\'']).trim();
+    (if EMPTY.contains(&word) { "" } else { word }, own.or(weight))
+}
+
+/// Signs of an empty successor.
+const EMPTY: [&str; 8] = ["ε", "λ", "∅", "ϵ", "epsilon", "*", "\"\"", "''"];
 
 /// A weight: `0.3`, `.3`, `30 %`, `1/3`, `p = 0.3`, `prob. 0.3`.
 pub(super) fn weight(text: &str) -> Option<f64> {

@@ -59,6 +59,11 @@ impl Lines {
         self.0.partition_point(|end| *end < at) + 1
     }
 
+    /// The first byte of a line, from 1.
+    pub(crate) fn start(&self, line: usize) -> usize {
+        line.checked_sub(2).and_then(|before| self.0.get(before)).map_or(0, |end| end + 1)
+    }
+
     /// The bytes of a line, from 1, in a text of `length` bytes; empty at the end for a line that the text does not have.
     fn range(&self, line: usize, length: usize) -> Range<usize> {
         let start = match line.checked_sub(2) {

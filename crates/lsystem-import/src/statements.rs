@@ -15,10 +15,11 @@ use crate::MAX_ENTRIES;
 use crate::assembly::{Angle, Rule, Said, Statements, Symbols};
 use crate::decode::Decoded;
 use crate::draft::Draft;
-use crate::keys::{Key, key};
 use crate::prose_words::is_prose;
 use crate::rules::ARROWS;
 use crate::source::Source;
+use crate::vocabulary::{Key, key, words};
+use crate::wrappings::tables;
 use core::ops::Range;
 use line::{is_title, squeezed};
 use lsystem_base::say;
@@ -36,8 +37,8 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         return None;
     }
     let decoded = Decoded::new(source.text);
-    let lower = decoded.text.to_lowercase();
-    let semicolons = decoded.text.lines().filter(|line| line.trim_end().ends_with(';')).count() > 1;
+    let lower = decoded.mapped.text.to_lowercase();
+    let semicolons = decoded.mapped.text.lines().filter(|line| line.trim_end().ends_with(';')).count() > 1;
     let mut reader = Reader {
         decoded: &decoded,
         said: Statements::new("", 0, Symbols::Usual),
@@ -47,16 +48,20 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         next_title: None,
         semicolons,
         constants: Vec::new(),
-        columns: Vec::new(),
-        last: None,
         degrees: None,
         arrows: 0,
+        is_inkscape: lower.contains("step length (px):"),
+        pending: None,
+        chance: None,
         is_named: lower.contains("axiom") || lower.contains("ω") || lower.contains("omega"),
     };
     let mut at = 0;
-    for line in decoded.text.split('\n') {
+    for line in decoded.mapped.text.split('\n') {
         reader.line(at..at + line.len());
         at += line.len() + 1;
+        if reader.systems.len() > MAX_ENTRIES {
+            break;
+        }
         if reader.arrows > MAX_RULES {
             let why = say!("A text with more than {} rules is not read", MAX_RULES);
             let end = source.text.len();
@@ -72,40 +77,16 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
 
 /// Whether several lines of a text are those of a program.
 fn is_program(text: &str) -> bool {
-    const STARTS: [&str; 29] = [
-        "import ",
-        "from ",
-        "def ",
-        "class ",
-        "function ",
-        "public ",
-        "private ",
-        "using ",
-        "#include",
-        "package ",
-        "const ",
-        "let ",
-        "var ",
-        "fn ",
-        "export ",
-        "return ",
-        "for (",
-        "while (",
-        "if (",
-        "}",
-        "void ",
-        "static ",
-        "end",
-        "local ",
-        "elif ",
-        "else:",
-        "//!",
-        "///",
-        "use ",
-    ];
+    // Blocks such as `koch {` hold descriptions, too.
+    let has_calls = text.contains([';', '(']);
     let is_code = |line: &&str| {
         let line = line.trim_start();
-        STARTS.iter().any(|start| line.starts_with(start)) && !line.starts_with("from the ") && !line.contains("->")
+        let begins = |word: &&&str| {
+            let is_word = word.ends_with(char::is_alphanumeric);
+            line.strip_prefix(**word).is_some_and(|rest| !is_word || rest.is_empty() || rest.starts_with(' '))
+        };
+        let is_start = words(Key::Code).iter().any(|word| begins(&word)) || line.starts_with('}') && has_calls;
+        is_start && !line.starts_with("from the ") && !line.contains("->")
     };
     text.lines().filter(is_code).take(3).count() == 3
 }
@@ -131,14 +112,15 @@ struct Reader<'t> {
     semicolons: bool,
     /// Names with numbers, which rules with parameters may use.
     constants: Vec<Said<String>>,
-    /// The columns of a table.
-    columns: Vec<Option<Key>>,
-    /// A row that may be the head of a table.
-    last: Option<Vec<String>>,
     /// The first number before a sign of degrees.
     degrees: Option<Said<f64>>,
     arrows: usize,
     is_named: bool,
+    /// Whether the text is for Inkscape's dialog, whose letters are known.
+    is_inkscape: bool,
+    /// A symbol whose successors stand below, and the weight of the next one.
+    pending: Option<String>,
+    chance: Option<f64>,
 }
 
 /// A label in a line.
@@ -150,16 +132,18 @@ struct Label {
     word: String,
 }
 
+/// Marks of lists, headings and quotations; the first ones are nothing else.
+const BULLETS: [char; 11] = ['•', '·', '▪', '◦', '‣', '-', '*', '>', '–', '—', '#'];
 /// Quotes and markup around words.
 const QUOTES: [char; 12] = ['"', '\'', '`', '“', '”', '‘', '’', '*', ' ', '\t', '«', '»'];
 
 impl Reader<'_> {
     fn span(&self, range: &Range<usize>) -> Range<usize> {
-        self.decoded.span(range)
+        self.decoded.mapped.span(range)
     }
 
     fn text(&self, range: &Range<usize>) -> &str {
-        self.decoded.text.get(range.clone()).unwrap_or_default()
+        self.decoded.mapped.text.get(range.clone()).unwrap_or_default()
     }
 
     /// A range without white space and these characters around it.
@@ -174,6 +158,9 @@ impl Reader<'_> {
         let mut line = self.trimmed(&whole, &[]);
         let text = self.text(&line);
         if text.is_empty() {
+            if self.text(&whole) == tables::END.trim_end_matches('\n') {
+                self.next_system();
+            }
             return;
         }
         // A comment behind a blank.
@@ -186,10 +173,6 @@ impl Reader<'_> {
         if self.semicolons && self.text(&line).ends_with(';') {
             line.end -= 1;
         }
-        if self.row(&line) {
-            return;
-        }
-        self.last = None;
         let whole = line;
         let line = self.without_bullet(&whole);
         self.cover(&(whole.start..line.start));
@@ -229,7 +212,29 @@ impl Reader<'_> {
             let end = labels.get(index + 1).map_or(line.end, |next| next.start);
             self.labelled(label, label.value..end.max(label.value), index + 1 == labels.len());
         }
+        self.counted(&line, &text);
         self.note_degrees(&line, &text);
+    }
+
+    /// Reads a number before its word: `4 iterations`, `three iterations`.
+    fn counted(&mut self, line: &Range<usize>, text: &str) {
+        let is_end = |c: char| !c.is_alphanumeric();
+        if self.said.axiom.is_none() {
+            return;
+        }
+        for (at, word) in text.match_indices(char::is_whitespace).take(LONGEST) {
+            let behind = &text[at + word.len()..];
+            let name = &behind[..behind.find(is_end).unwrap_or(behind.len())];
+            let number = text[..at].rsplit(is_end).next().unwrap_or_default();
+            let lower = number.to_lowercase();
+            let named = || words(Key::Numbers).iter().position(|word| *word == lower).map(|at| at % 10 + 1);
+            let Some(n) = number.parse().ok().or_else(named).filter(|_| name.chars().count() > 7) else { continue };
+            if key(name) == Some(Key::Iterations) && self.said.iterations.is_none() {
+                let span = self.span(&(line.start + at - number.len()..line.start + at + word.len() + name.len()));
+                self.extent(&span);
+                self.said.iterations = Some(Said::new(n.to_string(), span));
+            }
+        }
     }
 
     /// A line without the mark of a list before it: `-`, `1.`, `p1:`.
@@ -238,11 +243,11 @@ impl Reader<'_> {
         for _ in 0..3 {
             let text = self.text(&line);
             let mut length = 0;
-            if text.starts_with(['•', '·', '▪', '◦', '‣'])
-                || (text.starts_with(['-', '*', '>', '–', '#']) && text[1..].starts_with([' ', '#']))
+            let next = text.chars().nth(1);
+            if text.starts_with(&BULLETS[..5])
+                || text.starts_with(BULLETS) && next.is_some_and(|next| matches!(next, ' ' | '#'))
             {
-                let marks =
-                    text.len() - text.trim_start_matches(['•', '·', '▪', '◦', '‣', '-', '*', '>', '–', '#']).len();
+                let marks = text.len() - text.trim_start_matches(BULLETS).len();
                 let rest = text[marks..].trim_start();
                 // Not of `- -> turn left` and `* < F > *`.
                 let is_symbol =
@@ -278,49 +283,6 @@ impl Reader<'_> {
         line
     }
 
-    /// Reads a row of a table; whether the line is one.
-    fn row(&mut self, line: &Range<usize>) -> bool {
-        let text = self.text(line).to_owned();
-        if !text.starts_with('|') || text.matches('|').count() < 3 {
-            if !text.contains('\t') {
-                self.columns.clear();
-            }
-            return false;
-        }
-        let mut cells: Vec<Range<usize>> = Vec::new();
-        let mut from = line.start + 1;
-        for (at, _) in text.match_indices('|').skip(1) {
-            cells.push(self.trimmed(&(from..line.start + at), &[]));
-            from = line.start + at + 1;
-        }
-        if from < line.end {
-            cells.push(self.trimmed(&(from..line.end), &[]));
-        }
-        let is_rule = cells.iter().all(|cell| {
-            let cell = self.text(cell);
-            !cell.is_empty() && cell.chars().all(|c| matches!(c, '-' | ':' | ' '))
-        });
-        if is_rule {
-            let head = self.last.take().unwrap_or_default();
-            self.columns = head.iter().map(|name| key(name.trim_matches(QUOTES))).collect();
-            return true;
-        }
-        let has = |columns: &[Option<Key>], wanted: Key| columns.contains(&Some(wanted));
-        if !has(&self.columns, Key::Axiom) || !(has(&self.columns, Key::Rules) || has(&self.columns, Key::Rule)) {
-            self.last = Some(cells.iter().map(|cell| self.text(cell).to_owned()).collect());
-            return self.columns.is_empty();
-        }
-        self.next_system();
-        let columns = self.columns.clone();
-        for (column, cell) in columns.into_iter().zip(cells) {
-            let Some(key) = column else { continue };
-            let label = Label { start: cell.start, value: cell.start, key, word: "axiom".to_owned() };
-            self.labelled(&label, cell, false);
-        }
-        self.next_system();
-        true
-    }
-
     /// What stands behind the value of a label on the same line: rules and meanings, or words.
     fn rest(&mut self, range: &Range<usize>, is_last: bool) {
         let range = self.trimmed(range, &[',', ';', '.', '|', ')', '(']);
@@ -351,6 +313,7 @@ impl Reader<'_> {
         let constants = core::mem::take(&mut self.constants);
         let degrees = self.degrees.take();
         self.section = Section::None;
+        (self.pending, self.chance) = (None, None);
         // One more than are read, so that the rest is noted.
         if self.systems.len() > MAX_ENTRIES {
             return;
@@ -369,7 +332,7 @@ impl Reader<'_> {
             last.extents.extend(said.extents);
             return;
         }
-        let (Some(axiom), true) = (&said.axiom, !said.rules.is_empty()) else { return };
+        let (Some(axiom), true) = (&said.axiom, !said.rules.is_empty() || self.is_inkscape) else { return };
         let strict = |rule: &Rule| rule.from.chars().next();
         let begun: HashSet<char> = axiom.value.chars().collect();
         if !self.is_named && !said.rules.iter().filter_map(strict).any(|symbol| begun.contains(&symbol)) {
@@ -382,7 +345,8 @@ impl Reader<'_> {
         let made = said.rules.iter().map(|rule| &*rule.to).chain([&*axiom.value]).flat_map(str::chars);
         let made: HashSet<char> = made.collect();
         let occurs = |symbol: char| made.contains(&symbol);
-        if !said.rules.iter().filter_map(strict).any(occurs)
+        if !self.is_inkscape
+            && !said.rules.iter().filter_map(strict).any(occurs)
             && said.rules.len() < 2
             && said.meanings.is_empty()
             && said.angle.is_none()
@@ -402,6 +366,16 @@ impl Reader<'_> {
             .collect();
         said.extents.extend(own.iter().map(|constant| constant.span.clone()));
         said.lines.splice(0..0, own);
+        if self.is_inkscape {
+            said.symbols = Symbols::Said;
+            ('A'..='F').for_each(|letter| said.mean(letter, "draw", 0..0));
+            ('G'..='L').for_each(|letter| said.mean(letter, "move", 0..0));
+            let others = [('+', "turn left"), ('-', "turn right"), ('|', "turn round"), ('[', "open branch")];
+            others
+                .into_iter()
+                .chain([(']', "close branch")])
+                .for_each(|(symbol, words)| said.mean(symbol, words, 0..0));
+        }
         if said.angle.is_none()
             && said.left.is_none()
             && said.right.is_none()
@@ -434,8 +408,8 @@ impl Reader<'_> {
 
     /// The axiom of a caption: alone on the line before a place of the source.
     fn caption(&self, at: usize) -> Option<Said<String>> {
-        let place = self.decoded.place_of(at);
-        let text = &self.decoded.text;
+        let place = self.decoded.mapped.at(at);
+        let text = &self.decoded.mapped.text;
         let end = self.decoded.break_before(place)?;
         let start = self.decoded.break_before(text[..end].trim_end().len()).map_or(0, |at| at + 1);
         let range = self.trimmed(&(start..end), &QUOTES);

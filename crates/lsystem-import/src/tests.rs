@@ -1,5 +1,7 @@
 //! Cases shared by all readers, and the summary of a result.
 
+mod drawn;
+
 use crate::{Entry, Imported, import};
 use expect_test::Expect;
 use lsystem_base::number::number;

@@ -6,7 +6,7 @@ use core::ops::Range;
 use lsystem_base::decimal;
 
 /// A part of a text.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
     pub(super) kind: Kind,
     pub(super) span: Range<usize>,
@@ -15,7 +15,7 @@ pub(super) struct Node {
 }
 
 /// The kind of a part.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Kind {
     /// A string without its quotes and escapes.
     Text(String),

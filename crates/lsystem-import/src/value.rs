@@ -3,6 +3,7 @@
 mod sums;
 
 use crate::tokens::{Kind, Node};
+use crate::vocabulary::{Key, rows};
 use core::ops::Range;
 pub(super) use sums::arithmetic;
 
@@ -14,13 +15,15 @@ pub(super) struct Value<'t> {
 }
 
 /// A value.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum What<'t> {
     Text(String),
     Number(f64, Unit),
     /// A bracket, and the name before it: `Rule` of `new Rule('F', "FF")`.
     Group(&'t Node, Option<&'t str>),
-    /// Code, a name, and other values that are not read.
+    /// A name, of which the last part counts: `None` of `Draw.None`.
+    Name(&'t str),
+    /// Code and other values that are not read.
     Code,
 }
 
@@ -99,6 +102,8 @@ pub(super) fn member(nodes: &[Node], at: usize) -> Option<Member<'_>> {
     let key = match &first.kind {
         Kind::Name(name) => name.clone(),
         Kind::Text(text) => text.clone(),
+        // Digits are symbols, and chances.
+        Kind::Number(number, unit) if unit.is_empty() && sign(at + 1) => lsystem_base::number::number(*number),
         _ => return None,
     };
     // `"F" to "FF"` of Kotlin.
@@ -175,6 +180,10 @@ fn ends(nodes: &[Node], from: usize, at: usize) -> bool {
     if node.is(",") || node.is(";") {
         return true;
     }
+    // The members of a new object may begin on the next line: `new Dictionary<string, string>` and below it `{`.
+    if nodes[from].name() == Some("new") && matches!(node.kind, Kind::Group('{', _)) {
+        return false;
+    }
     let goes_on = |node: &Node| ["+", "-", "*", "/", ".", "..", "&&", "||", "?"].iter().any(|mark| node.is(mark));
     at > from
         && node.is_first
@@ -232,49 +241,18 @@ fn single(node: &Node) -> What<'_> {
     }
 }
 
-/// Methods that leave a string or a bracket as it is.
-const HARMLESS: [&str; 22] = [
-    "split",
-    "to_string",
-    "into",
-    "to_owned",
-    "chars",
-    "toCharArray",
-    "trim",
-    "freeze",
-    "collect",
-    "as_str",
-    "clone",
-    "toString",
-    "ToString",
-    "ToCharArray",
-    "ToList",
-    "toList",
-    "String",
-    "c_str",
-    "to_vec",
-    "iter",
-    "as_bytes",
-    "strip",
-];
-
 fn what(part: &[Node]) -> What<'_> {
     // Calls at the end that change nothing: `"F".to_string()`, `[..].freeze`.
     let mut part = part;
-    while let [before @ .., dot, name, call] = part {
-        let harmless =
-            dot.is(".") && name.name().is_some_and(|name| HARMLESS.contains(&name)) && call.group().is_some();
-        if !harmless || before.is_empty() {
-            break;
-        }
-        part = before;
-    }
-    if let [before @ .., dot, name] = part
-        && dot.is(".")
-        && name.name().is_some_and(|name| HARMLESS.contains(&name))
-        && !before.is_empty()
-    {
-        part = before;
+    let is_harmless = |before: &[Node], dot: &Node, name: &Node| {
+        !before.is_empty() && dot.is(".") && name.name().is_some_and(|name| rows(name).has(Key::Harmless))
+    };
+    loop {
+        part = match part {
+            [before @ .., dot, name, call] if call.group().is_some() && is_harmless(before, dot, name) => before,
+            [before @ .., dot, name] if is_harmless(before, dot, name) => before,
+            _ => break,
+        };
     }
     if let [node] = part {
         return match &node.kind {
@@ -318,7 +296,10 @@ fn what(part: &[Node]) -> What<'_> {
         }
         return What::Group(last, name);
     }
-    What::Code
+    match last.name() {
+        Some(name) if before.iter().all(|node| node.name().is_some() || node.is(".")) => What::Name(name),
+        _ => What::Code,
+    }
 }
 
 /// Strings that `+`, `..` or nothing joins.

@@ -26,10 +26,14 @@ fn placed(segments: &[[f64; 4]]) -> Vec<[f64; 4]> {
 }
 
 /// Why a case is not as it should be.
-fn problem(case: &Value) -> Option<String> {
+pub(crate) fn problem(case: &Value) -> Option<String> {
     let text = case["text"].as_str().unwrap();
     let want = &case["want"];
-    let Some(imported) = import(text) else { return Some("not recognised".to_owned()) };
+    let found = import(text);
+    if want["none"] == true {
+        return found.map(|found| format!("recognised: {found:#?}"));
+    }
+    let Some(imported) = found else { return Some("not recognised".to_owned()) };
     let entries = &imported.entries;
     let refused = |entry: &Entry| entry.definition.is_none();
     if want["refuse"] == true {
@@ -42,6 +46,11 @@ fn problem(case: &Value) -> Option<String> {
         && entries.len() as u64 != systems
     {
         return Some(format!("{} systems: {entries:#?}", entries.len()));
+    }
+    if let Some(each) = want["each"].as_array() {
+        return (each.len() != entries.len())
+            .then(|| format!("{} systems: {entries:#?}", entries.len()))
+            .or_else(|| each.iter().zip(entries).find_map(|(want, entry)| differs(want, entry)));
     }
     let entry = &entries[0];
     let Some(definition) = &entry.definition else { return Some(format!("refused: {entry:#?}")) };
@@ -93,10 +102,51 @@ fn problem(case: &Value) -> Option<String> {
             }
         }
     }
+    if let Some(weights) = want["weights"].as_array() {
+        let found: Vec<_> =
+            definition.rules.lines().filter_map(|line| line.rsplit_once(" : ")?.1.parse::<f64>().ok()).collect();
+        if !weights.iter().filter_map(Value::as_f64).eq(found.iter().copied()) {
+            return Some(format!("weights {found:?}"));
+        }
+    }
+    if let Some([rule, angle]) = want["right"].as_array().map(Vec::as_slice) {
+        let turns = |d: &Definition| {
+            d.rules == *rule && angle.as_f64() == Some(d.angle) && d.overrides.contains("+: turn right")
+        };
+        if !entries.iter().filter_map(|entry| entry.definition.as_ref()).any(turns) {
+            return Some(format!("no turn to the right: {}", shown()));
+        }
+    }
     if let Some(words) = want["remark"].as_str()
         && !entry.remarks.iter().any(|remark| words.split('|').any(|word| remark.message.contains(word)))
     {
         return Some(format!("no remark: {}", shown()));
+    }
+    None
+}
+
+/// How a system is another one than a case wants.
+fn differs(want: &Value, entry: &Entry) -> Option<String> {
+    let Some(d) = &entry.definition else { return Some(format!("refused: {entry:#?}")) };
+    let other = |what: &str, found: String| Some(format!("{what} {found}: {entry:#?}"));
+    if want["axiom"].as_str().is_some_and(|axiom| axiom != d.axiom) {
+        return other("axiom", d.axiom.clone());
+    }
+    if want["rules"].as_array().is_some_and(|rules| !rules.iter().filter_map(Value::as_str).eq(d.rules.lines())) {
+        return other("rules", d.rules.clone());
+    }
+    let numbers = [("angle", d.angle), ("heading", d.heading), ("n", f64::from(d.iterations))];
+    for (key, found) in numbers {
+        if want[key].as_f64().is_some_and(|wanted| (wanted - found).abs() > 1e-6) {
+            return other(key, found.to_string());
+        }
+    }
+    let n = want["at"].as_u64()? as u32;
+    let drawn = segments(d, n);
+    let [x, y] = drawn.last().map_or([0.0; 2], |last| [last[2], last[3]]);
+    let near = |at: usize, found: f64| (want["end"][at].as_f64().unwrap() - found / d.step).abs() < 1e-3;
+    if Some(drawn.len() as u64) != want["count"].as_u64() || !near(0, x) || !near(1, y) {
+        return other("drawn", format!("{} segments to {x}, {y}", drawn.len()));
     }
     None
 }
@@ -260,6 +310,16 @@ fn kinds_of_texts() {
     assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n\n"));
 }
 
+/// A document with a system in a block opens as that system.
+#[test]
+fn systems_in_blocks_of_documents() {
+    let imported = import(include_str!("../../../docs/embedding.md")).unwrap();
+    let [entry] = &imported.entries[..] else { panic!("{:#?}", imported.entries) };
+    let definition = entry.definition.as_ref().unwrap();
+    let facts = (&*definition.axiom, &*definition.rules, definition.angle, definition.iterations);
+    assert_eq!(facts, ("F", "F -> F[+F]F[-F]F", 25.0, 4));
+}
+
 #[test]
 fn meanings_in_words() {
     let draw = |text: &str| {
@@ -370,7 +430,7 @@ fn files_without_a_system_are_passed() {
         "crates/lsystem-film/src/easing.rs",
         "crates/lsystem-find/src/lattice.rs",
         "crates/lsystem-syntax/src/diagnostic.rs",
-        "crates/lsystem-import/src/keys.rs",
+        "crates/lsystem-import/src/vocabulary.rs",
         "crates/lsys/src/cli.rs",
         "crates/xtask/src/main.rs",
         "www/js/view/refusal.js",
@@ -380,7 +440,6 @@ fn files_without_a_system_are_passed() {
         "www/js/main.js",
         "www/worker/drawing.js",
         "docs/about.md",
-        "docs/embedding.md",
         "docs/films.md",
         "docs/find.md",
         "docs/growth.md",

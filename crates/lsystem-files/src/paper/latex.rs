@@ -10,6 +10,10 @@ use lsystem_syntax::{Definition, Expr, Function, Module, Operator, Pattern, Prod
 /// The most characters of a successor before a line may break.
 const LINE: usize = 40;
 
+/// The first line of the table.
+pub const LATEX_START: &str =
+    "\\begin{tabular}{@{}r@{\\enspace}>{\\raggedright\\arraybackslash}p{0.8\\linewidth}@{}}\n";
+
 /// A system for a LaTeX document with the packages `amsmath` and `array`: a table with the numbers, constants, axiom
 /// and productions. Long successors break between branches.
 #[must_use]
@@ -19,7 +23,7 @@ pub fn latex(definition: &Definition, system: &System) -> String {
         "% {}\n% For documents with \\usepackage{{amsmath}} and \\usepackage{{array}}.\n",
         definition.label().replace(|c: char| c.is_control(), " ")
     );
-    text.push_str("\\begin{tabular}{@{}r@{\\enspace}>{\\raggedright\\arraybackslash}p{0.8\\linewidth}@{}}\n");
+    text.push_str(LATEX_START);
     row(&mut text, "", &facts::facts(definition, system).iter().map(fact).collect::<Vec<_>>().join(", "));
     let constants = grammar.constants.iter().map(|c| format!("${} = {}$", tex::name(&c.name), tex::decimal(c.value)));
     row(&mut text, "", &constants.collect::<Vec<_>>().join(", "));

@@ -11,7 +11,7 @@ mod tikz;
 mod tikz_library;
 
 pub use bibtex::bibtex;
-pub use latex::latex;
+pub use latex::{LATEX_START, latex};
 pub use markdown::markdown;
 pub(crate) use pdf::write_pdf;
 pub(crate) use tikz::write_tikz;

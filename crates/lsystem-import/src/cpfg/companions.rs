@@ -135,15 +135,19 @@ pub(super) fn read_curves<'c>(text: &'c str, places: &Places<'c>, draft: &mut Dr
     functions
 }
 
-/// The angle of turns, in degrees, by the line `angle factor` of a view file.
+/// The angle of turns, in degrees, by the line `angle increment` of a view file, or `angle factor`, a part of a circle.
 pub(super) fn read_angle(text: &str, places: &Places<'_>, draft: &mut Draft<'_>) -> Option<f64> {
-    let found = text.lines().map(str::trim).find_map(|line| Some((line, value(line, "angle factor")?)));
-    let (line, factor) = found?;
-    let factor = factor.trim().parse::<f64>().ok().filter(|factor| factor.is_finite() && *factor > 0.0)?;
+    let degrees = |line| {
+        let number =
+            |words: &str| words.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
+        let factor = value(line, "angle factor").and_then(number).map(|factor| 360.0 / factor);
+        Some((line, factor.or_else(|| value(line, "angle increment").and_then(number))?))
+    };
+    let (line, degrees) = text.lines().map(str::trim).find_map(degrees)?;
     let place = places.of(line);
     draft.covers(place.clone());
-    draft.read(place, say!("angle {}", 360.0 / factor));
-    Some(360.0 / factor)
+    draft.read(place, say!("angle {}", degrees));
+    Some(degrees)
 }
 
 /// The text behind a keyword and its colon.

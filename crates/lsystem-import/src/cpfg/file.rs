@@ -20,7 +20,7 @@ const MAX_DEFINITIONS: usize = 2000;
 /// Whether a line begins a system.
 fn begins(line: &str) -> bool {
     // Not of `lsystem: {` in an object, or `lsystem::draw` in a program.
-    keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':']))
+    keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':', '=']))
 }
 
 pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {

@@ -26,7 +26,8 @@ pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let production = text.lines().any(|line| {
         keyword(line).is_some_and(|(word, rest)| word == "production" && (rest.is_empty() || rest.starts_with('#')))
     });
-    let is_lpy = axiom && !has(&["lsystem"]) && (production || (length && (text.contains("-->") || only_python(text))));
+    let is_lpy = !has(&["lsystem"])
+        && (production && (axiom || length) || axiom && length && (text.contains("-->") || only_python(text)));
     is_lpy.then(|| vec![system(source)])
 }
 

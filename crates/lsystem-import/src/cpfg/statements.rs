@@ -1,5 +1,7 @@
 //! The statements of a file for cpfg: lines, with the lines that continue them.
 
+use crate::vocabulary::{Key, words};
+
 /// A statement without its comments.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Statement<'c> {
@@ -16,35 +18,6 @@ pub(super) enum Class {
     Other,
 }
 
-/// The words that begin a statement, in lower case.
-const KEYWORDS: [&str; 25] = [
-    "lsystem",
-    "axiom",
-    "derivation length",
-    "derivationlength",
-    "ignore",
-    "consider",
-    "seed",
-    "homomorphism",
-    "interpretation",
-    "production",
-    "decomposition",
-    "maximum depth",
-    "interpretation maximum depth",
-    "decomposition maximum depth",
-    "endlsystem",
-    "start",
-    "end",
-    "start each",
-    "starteach",
-    "end each",
-    "endeach",
-    "define",
-    "ring lsystem",
-    "group",
-    "endgroup",
-];
-
 /// The keyword at the start of a line, in lower case, and the text behind its colon.
 pub(super) fn keyword(line: &str) -> Option<(&'static str, &str)> {
     let line = line.trim();
@@ -52,7 +25,7 @@ pub(super) fn keyword(line: &str) -> Option<(&'static str, &str)> {
         Some(at) => (&line[..at], &line[at + 1..]),
         None => (line, &line[line.len()..]),
     };
-    let known = |word: &str| KEYWORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word.trim()));
+    let known = |word: &str| words(Key::Cpfg).iter().copied().find(|known| known.eq_ignore_ascii_case(word.trim()));
     if let Some(word) = known(word) {
         return (is_alone(word) || line.contains(':')).then_some((word, rest.trim()));
     }

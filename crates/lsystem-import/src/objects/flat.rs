@@ -57,12 +57,22 @@ impl Reader<'_> {
         }
         let strict = |rule: &Rule| rule.from.trim().chars().count() == 1;
         let Some(axiom) = &said.axiom else {
-            // What stands behind a complete system belongs to it, and contradicts it if it says something else.
+            // What stands beside complete systems belongs to them, and contradicts the last one if it says something else.
+            if !said.rules.is_empty() {
+                return;
+            }
             if let (Some(last), Some(angle)) = (self.systems.last_mut(), &said.angle)
                 && let Some(first) = last.angle.clone()
-                && said.rules.is_empty()
+                && first.value != angle.value
             {
                 contradict(last, &first.span, &angle.span);
+            }
+            for system in &mut self.systems {
+                if system.angle.is_none() && system.left.is_none() && system.right.is_none() {
+                    (system.angle, system.left, system.right) =
+                        (said.angle.clone(), said.left.clone(), said.right.clone());
+                }
+                system.iterations = system.iterations.take().or_else(|| said.iterations.clone());
             }
             return;
         };

@@ -1,13 +1,13 @@
 //! An object with an axiom and rules.
 
+use super::Reader;
 use super::rules::Rules;
-use super::{FROM, Reader, TO};
 use crate::assembly::{Angle, Rule, Said, Statements, Symbols};
-use crate::keys::{Key, key, letter_of};
 use crate::prose_words::is_prose;
 use crate::rules::split_rule;
 use crate::tokens::Node;
 use crate::value::{Member, Unit, Value, What};
+use crate::vocabulary::{Key, is_vague, key, letter_of, words};
 use core::ops::Range;
 use lsystem_base::{decimal, say};
 use std::collections::HashSet;
@@ -114,8 +114,14 @@ impl Reader<'_> {
                     Some(Key::LeftAngle) => said.left = said_angle,
                     Some(Key::RightAngle) => said.right = said_angle,
                     // `alpha` beside `theta` is another angle.
-                    _ if member.key == "alpha" && said.angle.is_some() => {
-                        said.note(span, say!("`alpha` is not carried over"));
+                    _ if said.angle.as_ref().is_some_and(|known| known.value != angle && is_vague(&member.key)) => {
+                        said.note(span, say!("`{}` is not carried over", member.key));
+                    }
+                    _ if said.angle.is_some() && value.number() == Some(0.0) => {
+                        said.note(span, say!("`{}` is not carried over", member.key));
+                    }
+                    _ if let Some(known) = said.angle.clone().filter(|known| known.value != angle) => {
+                        contradict(said, &known.span, &span);
                     }
                     _ => said.angle = said_angle,
                 }
@@ -131,6 +137,10 @@ impl Reader<'_> {
             Some(Key::Name) if value.text().is_some() => said.note_name(span),
             Some(Key::Step) if value.number().is_some() => {
                 said.note(span, say!("The length of a step changes only the size, which is fitted"));
+            }
+            Some(Key::Meanings) if member.key == "draw" && word_of(value).is_some() => {
+                let letters = word_of(value).unwrap_or_default();
+                letters.chars().for_each(|letter| said.mean(letter, "draw", span.clone()));
             }
             Some(Key::Meanings) => {
                 let known: Vec<&(char, String, Range<usize>)> =
@@ -163,7 +173,9 @@ pub(super) fn is_of_symbols(value: &Value<'_>) -> bool {
     let own = value.members();
     let has = |keys: &[&str]| own.iter().any(|member| keys.contains(&&*member.key));
     let is_predecessor = |key: &str| (1..=2).contains(&key.trim().chars().count()) || key.contains(['<', '>', '(']);
-    own.is_empty() || has(FROM) && has(TO) || own.iter().any(|member| is_predecessor(&member.key))
+    own.is_empty()
+        || has(words(Key::Predecessor)) && has(words(Key::Successor))
+        || own.iter().any(|member| is_predecessor(&member.key))
 }
 
 /// Whether a key can only be that of an axiom.
@@ -186,7 +198,11 @@ pub(super) fn word_of(value: &Value<'_>) -> Option<String> {
             let parts = value.elements();
             let symbol = |part: &Value<'_>| part.text().filter(|text| text.chars().count() <= 2).map(str::to_owned);
             let word = parts.iter().map(symbol).collect::<Option<String>>();
-            word.filter(|word| !word.is_empty())
+            let own = value.members();
+            // `{string: "F", generation: 0}`
+            let mut named = own.iter().filter(|member| words(Key::Successor).contains(&&*member.key));
+            let inner = named.next().and_then(|member| member.value.text()).map(str::to_owned);
+            inner.or(word.filter(|word| !word.is_empty()))
         }
         _ => None,
     }
@@ -226,8 +242,7 @@ pub(super) fn lindsvg(said: &mut Statements, own: &[Member<'_>]) {
     let degrees = |member: &Member<'_>| match member.value.what {
         What::Number(value, Unit::Degrees) => Some(value),
         What::Number(value, Unit::Radians) => Some(crate::angle::tidy(value.to_degrees())),
-        What::Number(value, Unit::Unknown) if value.abs() <= 6.3 => Some(crate::angle::tidy(value.to_degrees())),
-        What::Number(value, Unit::Unknown) => Some(value),
+        What::Number(value, Unit::Unknown) => crate::angle::by_value(value).ok().map(|(degrees, _)| degrees),
         _ => None,
     };
     match of("alpha").map(|member| (degrees(member), member.span.clone())) {

@@ -1,13 +1,13 @@
 //! Rules in the values of programs.
 
 use super::object::is_key;
-use super::{FROM, TO, WEIGHT};
 use crate::assembly::{Rule, Said, Statements};
-use crate::prose_words::weighted;
+use crate::prose_words::alternatives;
 use crate::rules::split_rule;
-use crate::value::{Value, What, elements, members};
+use crate::value::{Member, Value, What, elements, members};
+use crate::vocabulary::{Key, words};
 use core::ops::Range;
-use lsystem_base::{word, words};
+use lsystem_base::{decimal, word};
 use lsystem_syntax::{Diagnostic, parse};
 
 /// Rules of any form.
@@ -29,7 +29,7 @@ impl Rules {
         said.rules.extend(self.found);
         said.comments.extend(self.keys);
         said.lines.extend(self.lines);
-        self.remarks.into_iter().for_each(|(span, why)| said.refuse(span, words::said(why)));
+        self.remarks.into_iter().for_each(|(span, why)| said.refuse(span, lsystem_base::words::said(why)));
     }
 
     pub(super) fn refuse(&mut self, span: &Range<usize>, why: &'static str) {
@@ -50,7 +50,7 @@ impl Rules {
                 let own = members(inside);
                 // Not of `{A: "B", B: "AB"}`.
                 let has = |keys: &[&str]| own.iter().any(|member| member.key.len() > 1 && keys.contains(&&*member.key));
-                let is_rule = has(FROM) && has(TO);
+                let is_rule = has(words(Key::Predecessor)) && has(words(Key::Successor)) || is_pair(&own);
                 if is_rule {
                     return self.listed(value);
                 }
@@ -88,9 +88,14 @@ impl Rules {
                     return self.arguments(&elements(node.group().unwrap_or_default()), value.span.clone());
                 }
                 let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
-                match (of(FROM).and_then(|member| member.value.text()), of(TO)) {
+                if let [from, to] = &own[..]
+                    && is_pair(&own)
+                {
+                    return self.keyed_at(from.value.text().unwrap_or_default(), &to.value, &value.span);
+                }
+                match (of(words(Key::Predecessor)).and_then(|member| member.value.text()), of(words(Key::Successor))) {
                     (Some(from), Some(to)) => {
-                        let weight = of(WEIGHT).and_then(|member| member.value.number());
+                        let weight = of(words(Key::Weight)).and_then(|member| member.value.number());
                         match &to.value.what {
                             What::Text(word) => self.rule(from, word, weight, &value.span),
                             _ => self.keyed(from, &to.value),
@@ -117,6 +122,10 @@ impl Rules {
             [weight, from, to] if from.text().is_some() && to.text().is_some() && weight.number().is_some() => {
                 self.rule(from.text().unwrap_or_default(), to.text().unwrap_or_default(), weight.number(), &span);
             }
+            // `new Rule('A', "AF", Draw.None)`: what the symbol draws.
+            [from, to, last] if from.text().is_some() && to.text().is_some() && last.what == What::Name("None") => {
+                self.rule(from.text().unwrap_or_default(), to.text().unwrap_or_default(), None, &span);
+            }
             [one] => match &one.what {
                 What::Text(text) => self.lines(text, &span),
                 What::Group(..) => self.listed(one),
@@ -140,8 +149,9 @@ impl Rules {
         for rule in text.split(separators).map(str::trim).filter(|rule| !rule.is_empty()) {
             match split_rule(rule) {
                 Some((from, to)) => {
-                    let (to, weight) = weighted(to);
-                    self.rule(from, to, weight, span);
+                    for (to, weight) in alternatives(to, None) {
+                        self.rule(from, to, weight, span);
+                    }
                 }
                 None => self.refuse(span, word!("This rule has no arrow")),
             }
@@ -189,12 +199,16 @@ impl Rules {
             if !right.is_empty() {
                 from = format!("{from} > {right}");
             }
-            let weight = of(WEIGHT).and_then(|member| member.value.number());
+            let weight = of(words(Key::Weight)).and_then(|member| member.value.number());
             return self.rule(&from, word, weight, &value.span);
         }
         // `{"F": {"FF": 0.5, "F": 0.5}}`, `{"F": {0.5: "FF"}}`
         if own.iter().all(|member| member.value.number().is_some()) {
             return own.iter().for_each(|member| self.rule(key, &member.key, member.value.number(), &member.span));
+        }
+        let chance = |member: &Member<'_>| Some((decimal::read(&member.key)?, member.value.text()?.to_owned()));
+        if let Some(found) = own.iter().map(chance).collect::<Option<Vec<_>>>() {
+            return found.iter().for_each(|(weight, to)| self.rule(key, to, Some(*weight), &value.span));
         }
         self.refuse(&value.span, UNREAD);
     }
@@ -207,17 +221,17 @@ impl Rules {
             return self.rule(key, &texts.concat(), None, span);
         }
         // `("FF", 0.5)` is one successor with its weight.
-        if let [to, weight] = list
-            && let (Some(to), Some(weight)) = (to.text(), weight.number())
+        if let [one, other] = list
+            && let (Some(to), Some(weight)) = (one.text().or(other.text()), one.number().or(other.number()))
         {
             return self.rule(key, to, Some(weight), span);
         }
         for one in list {
             let own = one.members();
             let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
-            let to = one.text().or_else(|| of(TO).and_then(|member| member.value.text()));
+            let to = one.text().or_else(|| of(words(Key::Successor)).and_then(|member| member.value.text()));
             if let Some(to) = to {
-                let weight = of(WEIGHT).and_then(|member| member.value.number());
+                let weight = of(words(Key::Weight)).and_then(|member| member.value.number());
                 self.rule(key, to, weight.or(Some(1.0)), &one.span);
                 continue;
             }
@@ -229,4 +243,14 @@ impl Rules {
             }
         }
     }
+}
+
+/// Whether members are the sides of one rule that are called `a` and `b`, not rules of `a` and `b`.
+fn is_pair(own: &[Member<'_>]) -> bool {
+    let [from, to] = own else { return false };
+    let (Some(symbol), Some(word)) = (from.value.text(), to.value.text()) else { return false };
+    let names = [&*from.key, &*to.key];
+    (names == ["a", "b"] || names == ["A", "B"])
+        && symbol.chars().count() == 1
+        && !names.iter().any(|name| symbol == *name || word.contains(name))
 }

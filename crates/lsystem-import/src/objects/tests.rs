@@ -27,7 +27,6 @@ fn packages() {
                   F -> F : 50
                   | -: turn left
                 note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                note 1 "}, 'F': function() { ctx.fillRect(0, 0, …": This is not understood
                 note 1 "": The text gives no number of iterations; 5 is chosen by the size"#]],
     );
     check(

@@ -2,11 +2,10 @@
 
 use super::line::{label_at, weak};
 use super::{Label, QUOTES, Reader, Section};
-use crate::angle::angle;
+use crate::angle::{NoAngle, angle};
 use crate::assembly::{Angle, Said};
-use crate::keys::{Key, letter_of};
-use crate::prose_words::is_prose;
 use crate::rules::ARROWS;
+use crate::vocabulary::{Key, is_vague, letter_of};
 use core::ops::Range;
 use lsystem_base::{decimal, say};
 
@@ -38,6 +37,12 @@ impl Reader<'_> {
         found
     }
 
+    /// The angle at the start of a text. Inkscape's are in degrees.
+    fn angle(&self, text: &str) -> Result<(f64, bool, usize), NoAngle> {
+        let degrees = decimal::read(text).filter(|_| self.is_inkscape);
+        degrees.map_or_else(|| angle(text), |degrees| Ok((degrees, false, text.len())))
+    }
+
     /// Reads what stands behind a label.
     pub(super) fn labelled(&mut self, label: &Label, value: Range<usize>, is_last: bool) {
         let whole = label.start..value.end;
@@ -49,15 +54,27 @@ impl Reader<'_> {
         match label.key {
             Key::Axiom => {
                 self.section = Section::None;
-                let value = self.trimmed(&value, &[]);
+                let mut value = self.trimmed(&value, &[]);
+                // `axiom: ω = F`
+                let text = self.text(&value);
+                let named = text.split_once('=').filter(|(name, _)| {
+                    name.trim().chars().count() < 3 && name.trim().chars().all(char::is_alphabetic)
+                });
+                value.start = value.end - named.map_or(text, |(_, word)| word).len();
                 self.axiom(label, &value);
             }
             Key::Rules | Key::Rule => {
                 self.section = Section::Rules;
                 let letter = letter_of(&label.word);
                 let has_arrow = ARROWS.iter().any(|arrow| text.contains(arrow));
-                match letter.filter(|_| !has_arrow && weak(&text).is_none() && !text.is_empty() && !is_prose(&text)) {
-                    Some(letter) => self.push_rule(&letter.to_string(), text, None, &whole),
+                let (word, _) = self.word(&inner);
+                let text = if letter.is_some() { self.text(&word).to_owned() } else { text };
+                match letter.filter(|_| !has_arrow && weak(&text).is_none() && !text.is_empty()) {
+                    Some(letter) => self.push_rule(&letter.to_string(), &text, None, &whole),
+                    None if self.pending.is_some() && !has_arrow && !text.is_empty() => {
+                        let (from, chance) = (self.pending.clone().unwrap_or_default(), self.chance.take());
+                        self.push_rule(&from, &text, chance, &whole);
+                    }
                     None => self.region(&inner, Section::Rules, true),
                 }
                 let head = label.start..inner.start.min(label.value.max(label.start));
@@ -72,7 +89,11 @@ impl Reader<'_> {
                 self.cover(&(label.start..label.value));
                 self.region(&inner, Section::Meanings, true);
             }
-            Key::Angle | Key::LeftAngle | Key::RightAngle => match angle(&text) {
+            Key::Angle if self.said.angle.is_some() && is_vague(&label.word) => {
+                let span = self.span(&whole);
+                self.said.note(span, say!("`{}` is not carried over", label.word));
+            }
+            Key::Angle | Key::LeftAngle | Key::RightAngle => match self.angle(&text) {
                 Ok((degrees, radians, end)) => {
                     let span = self.span(&(label.start..inner.start + end));
                     self.extent(&span);
@@ -97,14 +118,14 @@ impl Reader<'_> {
                     let rest = inner.start + end..value.end;
                     self.rest(&rest, is_last);
                 }
-                Err(why) if text.chars().any(|c| c.is_ascii_digit()) || why == crate::angle::NoAngle::Unclear => {
+                Err(why) if text.chars().any(|c| c.is_ascii_digit()) || why == NoAngle::Unclear => {
                     let span = self.span(&whole);
                     self.extent(&span);
                     let why = match why {
-                        crate::angle::NoAngle::Unclear => {
+                        NoAngle::Unclear => {
                             say!("This angle may be meant in degrees or in radians; the text does not say which")
                         }
-                        crate::angle::NoAngle::NoNumber => say!("This angle cannot be read"),
+                        NoAngle::NoNumber => say!("This angle cannot be read"),
                     };
                     self.said.refuse(span, why);
                 }
@@ -122,13 +143,11 @@ impl Reader<'_> {
                     self.rest(&rest, is_last);
                 }
             }
-            Key::Name => {
-                if !text.is_empty() && self.said.name.is_empty() {
-                    self.said.name.clone_from(&text);
-                    let span = self.span(&whole);
-                    self.extent(&span);
-                    self.said.names.push(Said::new(text, span));
-                }
+            Key::Name if !text.is_empty() && self.said.name.is_empty() => {
+                self.said.name.clone_from(&text);
+                let span = self.span(&whole);
+                self.extent(&span);
+                self.said.names.push(Said::new(text, span));
             }
             Key::LengthFactor | Key::Heading => {
                 let number = angle(&text).ok().map(|(number, ..)| number);
@@ -146,12 +165,12 @@ impl Reader<'_> {
                 self.extent(&span);
                 self.said.lines.push(Said::new(format!("ignore: {text}"), span));
             }
-            Key::Step => {
-                if text.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
-                    let span = self.span(&whole);
-                    self.said.note(span, say!("The length of a step changes only the size, which is fitted"));
-                }
+            Key::Step if text.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
+                let span = self.span(&whole);
+                self.said.note(span, say!("The length of a step changes only the size, which is fitted"));
             }
+            // Other rows are no labels.
+            _ => {}
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use super::{LONGEST, QUOTES};
 use crate::angle::angle;
-use crate::keys::{Key, key};
 use crate::prose_words::{is_language, is_prose, weight, weighted};
 use crate::rules::ARROWS;
+use crate::vocabulary::{Key, Rows, key, rows, words};
 use core::ops::Range;
 use lsystem_base::decimal;
 
@@ -44,7 +44,10 @@ pub(super) fn label_at(text: &str, before: char) -> Option<(usize, Key, String, 
         let sign = [":=", "::=", ":", "=", "≈"].iter().find(|sign| rest.starts_with(**sign));
         let is_sign =
             |sign: &str| !(rest.starts_with("=>") || rest.starts_with("==") || rest.starts_with("::") && sign == ":");
-        if let Some(sign) = sign.filter(|sign| is_sign(sign)) {
+        // `rules X=FX, F=FF` is the label `rules`.
+        let is_listed = rows(word) != Rows::default();
+        let is_rule = sign == Some(&"=") && word.contains(' ') && !is_listed;
+        if let Some(sign) = sign.filter(|sign| is_sign(sign) && !is_rule) {
             let value = behind + sign.len();
             let value = value + text[value..].len() - text[value..].trim_start_matches(['*', ' ', '_', '\t']).len();
             // `A: ...` of a rule is no label; single letters are, where a number follows.
@@ -56,7 +59,8 @@ pub(super) fn label_at(text: &str, before: char) -> Option<(usize, Key, String, 
             }
             return Some((end, key, word.to_owned(), value));
         }
-        if word.chars().count() < 4 && word != "n" || before == '"' && key != Key::Axiom {
+        // `rule F -> FF` is the label `rule`.
+        if !is_listed || word.chars().count() < 3 && word != "n" || before == '"' && key != Key::Axiom {
             continue;
         }
         // Without a sign, only words that can be nothing else, before a value that fits.
@@ -72,14 +76,18 @@ pub(super) fn label_at(text: &str, before: char) -> Option<(usize, Key, String, 
                 let first = rest.split_whitespace().next().unwrap_or_default();
                 lower.contains("axiom")
                     && !first.is_empty()
+                    && !rows(first).has(Key::Filler)
                     && !is_language(first, 3)
                     && first.chars().any(char::is_alphabetic)
             }
             Key::Angle | Key::LeftAngle | Key::RightAngle => {
                 rest.starts_with(|c: char| c.is_ascii_digit() || c == 'π' || c == '.') && angle(rest).is_ok()
             }
-            Key::Iterations => rest.starts_with(|c: char| c.is_ascii_digit()) && lower.len() > 4,
-            Key::Rules | Key::Rule => lower.starts_with("rule") || lower.starts_with("production"),
+            Key::Iterations => {
+                let is_number = rest.trim_end().bytes().all(|digit| digit.is_ascii_digit());
+                rest.starts_with(|c: char| c.is_ascii_digit()) && (lower.len() > 4 || is_number)
+            }
+            Key::Rules | Key::Rule => true,
             _ => false,
         };
         if fits {
@@ -95,7 +103,12 @@ pub(super) fn arrows(text: &str) -> Vec<Range<usize>> {
     let mut at = 0;
     while at < text.len() {
         let rest = &text[at..];
-        let Some(arrow) = ARROWS.iter().find(|arrow| rest.starts_with(**arrow)) else {
+        let in_words = || {
+            words(Key::Arrow).iter().find(|arrow| {
+                text[..at].ends_with(' ') && rest.strip_prefix(**arrow).is_some_and(|rest| rest.starts_with(' '))
+            })
+        };
+        let Some(arrow) = ARROWS.iter().find(|arrow| rest.starts_with(**arrow)).or_else(in_words) else {
             at += rest.chars().next().map_or(1, char::len_utf8);
             continue;
         };
@@ -106,7 +119,7 @@ pub(super) fn arrows(text: &str) -> Vec<Range<usize>> {
         if head.is_empty() {
             continue;
         }
-        if found.is_empty() || !arrow.is_ascii() {
+        if found.is_empty() || !arrow.is_ascii() || arrow.contains(' ') {
             found.push(place);
             continue;
         }
@@ -153,19 +166,14 @@ pub(super) fn tokens(text: &str) -> Vec<Range<usize>> {
 
 /// The predecessor at the end of a text, with its contexts and its condition, and a weight before the arrow.
 pub(super) fn predecessor(before: &str) -> (Range<usize>, Option<f64>) {
+    // `F (0.9) →`, `F .9→`, but not `x > .9 →`
     let text = before.trim_end();
-    let mut end = text.len();
-    let mut weighted = None;
-    // `F (0.9) →`
-    if text.ends_with(')')
-        && let Some(open) = text.rfind('(')
-        && text[..open].ends_with(char::is_whitespace)
-        && let Some(found) = weight(&text[open + 1..text.len() - 1])
-    {
-        weighted = Some(found);
-        end = text[..open].trim_end().len();
-    }
-    let text = &text[..end];
+    let ends = |head: &str| text.starts_with(head) && head.ends_with(|c: char| c.is_alphanumeric() || c == ')');
+    let (text, mut weighted) = match weighted(text) {
+        (head, Some(weight)) if ends(head) => (head, Some(weight)),
+        _ => (text, None),
+    };
+    let end = text.len();
     let all = tokens(text);
     let Some(last) = all.last() else { return (end..end, weighted) };
     let mut start = last.start;
@@ -221,12 +229,14 @@ pub(super) fn predecessor(before: &str) -> (Range<usize>, Option<f64>) {
     (start..start + trimmed.len(), weighted)
 }
 
-/// The successor at the start of a text, its end, and the words that stand in its place.
-pub(super) fn successor(after: &str, opened: bool, more: bool) -> (String, usize, Option<String>) {
+/// The successor at the start of a text, its end, and the words that stand in its place. An apostrophe is a quote only
+/// where one stands around the predecessor, too.
+pub(super) fn successor(after: &str, opened: bool, more: bool, quoted: bool) -> (String, usize, Option<String>) {
     let lead = after.len() - after.trim_start().len();
     let text = &after[lead..];
-    for (open, close) in [('"', '"'), ('`', '`'), ('“', '”')] {
-        if let Some(inside) = text.strip_prefix(open)
+    for (open, close) in [('"', '"'), ('`', '`'), ('“', '”'), ('\'', '\'')] {
+        if (quoted || open != '\'')
+            && let Some(inside) = text.strip_prefix(open)
             && let Some(end) = inside.find(close)
         {
             let rest = &inside[end + close.len_utf8()..];

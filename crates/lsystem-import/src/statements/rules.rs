@@ -3,8 +3,9 @@
 use super::line::{Weak, arrows, constant, predecessor, squeezed, successor, tokens, weak};
 use super::{LONGEST, Label, QUOTES, Reader, Section};
 use crate::assembly::{Rule, Said};
-use crate::phrases::{actions, symbols};
-use crate::prose_words::{is_language, is_prose, weighted};
+use crate::phrases::{actions, pair, symbols};
+use crate::prose_words::{alternatives, is_language, is_prose, weight, weighted_symbol};
+use crate::vocabulary::{Key, rows};
 use core::ops::Range;
 use lsystem_base::decimal;
 
@@ -64,7 +65,7 @@ impl Reader<'_> {
                 break;
             }
             end = token.end;
-            separated = own.ends_with([',', ';']) && own.len() > 1;
+            separated = own.ends_with([',', ';', '.']) && own.len() > 1;
         }
         let word = text[..end].trim_end_matches(['.', ',', ';', '"', '`', '*', ' ', '”']);
         // Brackets and braces that only close.
@@ -86,10 +87,17 @@ impl Reader<'_> {
         let arrows = arrows(&text);
         self.arrows += arrows.len();
         if !arrows.is_empty() {
-            return self.rules(&range, &text, &arrows, section);
+            return self.rules(&range, &text, &arrows);
         }
         if !alone {
             return self.meanings(&range);
+        }
+        if self.pending.is_some()
+            && let Some((name, value)) = text.split_once(':')
+            && rows(name).has(Key::Weight)
+        {
+            self.chance = weight(value);
+            return self.cover(&range);
         }
         // Rules with a weak sign: the whole text must be such rules.
         let mut pieces: Vec<Range<usize>> = Vec::new();
@@ -120,12 +128,18 @@ impl Reader<'_> {
                         self.constants.push(Said::new(format!("{from} = {number}"), self.span(&place)));
                         continue;
                     }
-                    if is_prose(&to) {
+                    // `F=FF and run it`, but `]: pop the state`
+                    let word = if is_prose(&to) { successor(&to, false, false, false).0 } else { to.clone() };
+                    let is_word = |word: &str| !word.chars().all(|c| c.is_lowercase() || c.is_whitespace());
+                    if is_prose(&to) && !is_word(&word) || !is_word(&to) && actions(&to).is_some() {
                         self.meanings(&place);
-                        continue;
+                    } else if to.is_empty() && section == Section::Rules && !text.contains('=') {
+                        // The successors stand below: `X:` and `- production: F[+X]`.
+                        self.pending = Some(from);
+                        self.cover(&place);
+                    } else {
+                        self.push_rule(&from, &word, None, &place);
                     }
-                    let (to, weight) = weighted(&to);
-                    self.push_rule(&from, to.to_owned(), weight, &place);
                 }
             }
             None => {
@@ -153,23 +167,27 @@ impl Reader<'_> {
         }
     }
 
-    pub(super) fn push_rule(&mut self, from: &str, to: String, weight: Option<f64>, place: &Range<usize>) {
+    /// Adds a rule, or one for each alternative: `F[+F] | F[-F]`.
+    pub(super) fn push_rule(&mut self, from: &str, to: &str, weight: Option<f64>, place: &Range<usize>) {
         // `*` stands for any context.
         let bare = from.trim();
         let bare = bare.strip_prefix('*').map_or(bare, |rest| rest.trim_start().strip_prefix('<').unwrap_or(bare));
         let bare = bare.strip_suffix('*').map_or(bare, |rest| rest.trim_end().strip_suffix('>').unwrap_or(bare));
-        let from = bare.trim().to_owned();
+        let (from, own) = weighted_symbol(bare.trim());
         let span = self.span(place);
         self.extent(&span);
-        if self.section == Section::Images {
-            self.said.images.push(Said::new(format!("{from} -> {to}"), span));
-            return;
+        for (to, weight) in alternatives(to, weight.or(own)) {
+            let (from, to, span) = (from.to_owned(), to.to_owned(), span.clone());
+            if self.section == Section::Images {
+                self.said.images.push(Said::new(format!("{from} -> {to}"), span));
+            } else {
+                self.said.rules.push(Rule { from, to, weight, span });
+            }
         }
-        self.said.rules.push(Rule { from, to, weight, span });
     }
 
     /// Reads the rules of a text with arrows.
-    pub(super) fn rules(&mut self, range: &Range<usize>, text: &str, arrows: &[Range<usize>], section: Section) {
+    pub(super) fn rules(&mut self, range: &Range<usize>, text: &str, arrows: &[Range<usize>]) {
         let mut from = 0;
         for (index, arrow) in arrows.iter().enumerate() {
             let before = &text[from..arrow.start];
@@ -188,7 +206,8 @@ impl Reader<'_> {
                 self.cover(&(range.start + from..range.start + from + head.start));
             }
             let opened = before[..head.start].trim_end().ends_with(['(', '{']);
-            let (to, end, said) = successor(after, opened, index + 1 < arrows.len());
+            let quoted = before.trim_end().ends_with('\'');
+            let (to, end, said) = successor(after, opened, index + 1 < arrows.len(), quoted);
             let place = range.start + start..range.start + arrow.end + end;
             from = arrow.end + end;
             if own.is_empty() || is_prose(&own) && !own.contains('(') {
@@ -200,12 +219,7 @@ impl Reader<'_> {
                 from = limit;
                 continue;
             }
-            let (word, weight) = weighted(&to);
-            let word = word.trim_matches(['"', '`', '“', '”', '\'']).trim();
-            let word =
-                if matches!(word, "ε" | "λ" | "∅" | "ϵ" | "epsilon" | "*" | "\"\"" | "''") { "" } else { word };
-            let _ = section;
-            self.push_rule(&own, word.to_owned(), weight.or(head_weight), &place);
+            self.push_rule(&own, &to, head_weight, &place);
         }
         let rest = range.start + from..range.end;
         let rest = self.trimmed(&rest, &[',', ';', '.', ')', '(']);
@@ -255,6 +269,12 @@ impl Reader<'_> {
     }
 
     fn meaning(&mut self, symbols: &[char], phrase: &str, place: &Range<usize>) {
+        if let [first, second] = symbols
+            && let Some((one, other)) = pair(phrase)
+        {
+            self.meaning(&[*first], &one, place);
+            return self.meaning(&[*second], &other, place);
+        }
         let Some((actions, degrees)) = actions(phrase) else { return };
         let span = self.span(place);
         self.extent(&span);

@@ -1,8 +1,7 @@
 //! The lines of Inkscape's dialog Extensions > Render > L-system.
 //!
-//! `A` to `F` draw and `G` to `L` move. The turtle starts upwards. Inkscape measures angles on a page whose y axis points
-//! down, so that its left turn goes to the right on the page: `+` is written for a right turn, and the two angles change
-//! places.
+//! `A` to `F` draw and `G` to `L` move. The turtle starts upwards, and `+` turns left. Inkscape before 1.2 draws the mirror
+//! image.
 
 use super::Refusal;
 use super::source::{Source, plain_number};
@@ -12,10 +11,10 @@ use lsystem_syntax::{Action, Heading};
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let (left, right) = (source.definition.angle, source.right_angle());
-    let turn = |degrees: f64| turns(degrees, (left, '-'), (right, '+'));
+    let turn = |degrees: f64| turns(degrees, (left, '+'), (right, '-'));
     let own = |action: Action| match action {
-        Action::TurnLeft(None) => "-",
-        Action::TurnRight(None) => "+",
+        Action::TurnLeft(None) => "+",
+        Action::TurnRight(None) => "-",
         Action::TurnRound => "|",
         _ => "",
     };
@@ -47,7 +46,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         spelling.word(&source.grammar.axiom),
         rules.join(";"),
         source.definition.iterations,
-        angle(right),
         angle(left),
+        angle(right),
     ))
 }
