@@ -47,6 +47,11 @@ impl<'a> Source<'a> {
         text.chars().nth(number).unwrap_or('F')
     }
 
+    /// A place before or behind a character of `text`.
+    pub(crate) fn place(&mut self, text: &str) -> usize {
+        text.floor_char_boundary(self.below(text.len() + 1))
+    }
+
     /// Any 32 bits.
     pub(crate) fn word(&mut self) -> u32 {
         self.bytes.int_in_range(0..=u32::MAX).unwrap_or(0)

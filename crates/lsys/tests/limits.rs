@@ -86,6 +86,8 @@ fn a_students_share_of_a_class_is_bounded() {
     assert_eq!(table.matches("larger than anything that is needed").count(), 600, "told in each row");
     let long = format!("#v=1&z={}", pack(format!("axiom={}", "F".repeat(60_000)).as_bytes()));
     mark(&format!("Ada,{long}\n").repeat(300));
+    // Rules as long as a link: each change of one of their symbols was a copy of them.
+    mark(&format!("Ada,#v=1&n=2&rules=F%20-%3E%20{}\n", "F+".repeat(20_000)).repeat(3));
     // Many links in one cell, cells in one row, and quotes that never end.
     assert!(mark(&format!("Ada,\"{}\"", "#v=1&k=0\n".repeat(300_000))).contains("Noether"));
     mark(&",".repeat(8 << 20));

@@ -24,6 +24,8 @@ const READERS: &[&str] = &[
     "lsystem-course/src/check",
     "lsystem-course/src/class/answers.rs",
     "lsystem-course/src/exercise.rs",
+    "lsystem-course/src/hint.rs",
+    "lsystem-course/src/repair.rs",
     "lsystem-files/src/edit",
     "lsystem-files/src/edit.rs",
     "lsystem-files/src/embed.rs",

@@ -1,20 +1,21 @@
 //! The actions of a definition's symbols.
 
-use lsystem_syntax::overrides::Override;
 use lsystem_syntax::{Action, Definition, Dialect, parse_overrides};
+use std::collections::HashMap;
 
 pub(crate) struct Actions {
     dialect: Dialect,
-    overrides: Vec<Override>,
+    overrides: HashMap<char, Vec<Action>>,
 }
 
 impl Actions {
     pub(crate) fn new(definition: &Definition) -> Self {
-        Self { dialect: definition.dialect, overrides: parse_overrides(&definition.overrides).0 }
+        let overrides = parse_overrides(&definition.overrides).0.into_iter();
+        let overrides = overrides.map(|own| (own.symbol, own.actions)).collect();
+        Self { dialect: definition.dialect, overrides }
     }
 
     pub(crate) fn of(&self, symbol: char) -> &[Action] {
-        let own = self.overrides.iter().find(|own| own.symbol == symbol);
-        own.map_or_else(|| self.dialect.actions(symbol), |own| &own.actions)
+        self.overrides.get(&symbol).map_or_else(|| self.dialect.actions(symbol), Vec::as_slice)
     }
 }

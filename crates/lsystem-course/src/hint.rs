@@ -5,10 +5,8 @@ use crate::exercise::{Exercise, Given};
 use crate::mark::{Marker, counted};
 use crate::repair::{Repair, unmatched};
 use crate::sketch::{Sketch, Sketching};
-use core::cell::Cell;
-use lsystem_base::MAX_ITERATIONS;
 use lsystem_base::words::shown;
-use lsystem_base::{counted, say};
+use lsystem_base::{MAX_ITERATIONS, Meter, counted, say};
 use lsystem_derive::Tally;
 use lsystem_drawing::{System, why_empty};
 use lsystem_syntax::Definition;
@@ -26,8 +24,8 @@ impl Marker {
     pub fn hint(&self, student: &Definition) -> Option<String> {
         let exercise = self.exercise();
         let whole = exercise.complete(student);
-        let tries = Tries { left: Cell::new(MAX_STEPS) };
-        let own = tries.sketch(&whole)?;
+        let mut meter = Meter::new(MAX_WORK);
+        let own = sketch(&whole, &mut meter)?;
         if own.mask.is_empty() && !self.target().mask.is_empty() {
             let system = System::new(&whole).ok()?;
             return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| say!("Nothing is drawn.")));
@@ -40,11 +38,11 @@ impl Marker {
         }
         self.turned(&own)
             .or_else(|| Some(say!("The brackets in the rule of {} do not match.", unmatched(&student.rules)?)))
-            .or_else(|| Some(Repair::of(exercise, student)?.to_string()))
+            .or_else(|| Some(Repair::of(exercise, student, &mut meter)?.to_string()))
             .or_else(|| self.other_size(&own, &whole))
-            .or_else(|| self.other_heading(&whole, &tries))
-            .or_else(|| self.other_generation(&whole, &tries))
-            .or_else(|| self.other_angle(&whole, &tries))
+            .or_else(|| self.other_heading(&whole, &mut meter))
+            .or_else(|| self.other_generation(&whole, &mut meter))
+            .or_else(|| self.other_angle(&whole, &mut meter))
             .or_else(|| self.first_difference(&own))
     }
 
@@ -89,11 +87,11 @@ impl Marker {
     }
 
     /// The same picture turned by a multiple of the system's own angle.
-    fn other_heading(&self, whole: &Definition, tries: &Tries) -> Option<String> {
+    fn other_heading(&self, whole: &Definition, meter: &mut Meter) -> Option<String> {
         let turns = [30.0, 60.0, 45.0, whole.angle].into_iter().flat_map(|by| [by, -by, 2.0 * by, -2.0 * by]);
         let by = turns.into_iter().find(|by| {
             let turned = Definition { heading: whole.heading + by, ..whole.clone() };
-            *by != 0.0 && tries.sketch(&turned).is_some_and(|turned| self.looks_like(&turned))
+            *by != 0.0 && sketch(&turned, meter).is_some_and(|turned| self.looks_like(&turned))
         })?;
         let degrees = shown(&by.abs().to_string());
         Some(if by > 0.0 {
@@ -103,13 +101,12 @@ impl Marker {
         })
     }
 
-    fn other_generation(&self, whole: &Definition, tries: &Tries) -> Option<String> {
+    fn other_generation(&self, whole: &Definition, meter: &mut Meter) -> Option<String> {
         let near = (1..=STEPS).flat_map(|steps| [(true, steps), (false, steps)]);
         let (is_more, steps) = near.into_iter().find(|&(is_more, steps)| {
             let n = if is_more { whole.iterations + steps } else { whole.iterations.wrapping_sub(steps) };
             n <= MAX_ITERATIONS
-                && tries
-                    .sketch(&Definition { iterations: n, ..whole.clone() })
+                && sketch(&Definition { iterations: n, ..whole.clone() }, meter)
                     .is_some_and(|other| self.looks_like(&other))
         })?;
         let is_free = self.exercise().n == Given::Free;
@@ -133,13 +130,13 @@ impl Marker {
         })
     }
 
-    fn other_angle(&self, whole: &Definition, tries: &Tries) -> Option<String> {
+    fn other_angle(&self, whole: &Definition, meter: &mut Meter) -> Option<String> {
         if self.exercise().angle != Given::Free {
             return None;
         }
         let own = self.exercise().target.angle;
         let found = ANGLES.into_iter().chain([own]).any(|angle| {
-            tries.sketch(&Definition { angle, ..whole.clone() }).is_some_and(|other| self.looks_like(&other))
+            sketch(&Definition { angle, ..whole.clone() }, meter).is_some_and(|other| self.looks_like(&other))
         });
         found.then(|| say!("The rules are right, but the angle is not."))
     }
@@ -181,25 +178,20 @@ impl Marker {
     }
 }
 
-/// The units of work of one step.
-const WORK: u64 = 1 << 18;
-/// The steps of all tries together: about a second.
-const MAX_STEPS: u32 = 160;
+/// The units of work of one step of a drawing.
+const WORK: u64 = 1 << 15;
+/// The work of all drawings that are tried: less than a second, also where a unit takes 100 nanoseconds.
+const MAX_WORK: u64 = 1 << 23;
 
-/// Drawings that are tried, with bounded work for all of them.
-struct Tries {
-    left: Cell<u32>,
-}
-
-impl Tries {
-    fn sketch(&self, definition: &Definition) -> Option<Sketch> {
-        let mut sketching = Sketching::new(definition).ok()?;
-        loop {
-            self.left.set(self.left.get().checked_sub(1)?);
-            match sketching.step(WORK).ok()? {
-                Ok(sketch) => return Some(sketch),
-                Err(more) => sketching = more,
-            }
+/// A drawing that is tried. `None` as well if the meter is spent.
+fn sketch(definition: &Definition, meter: &mut Meter) -> Option<Sketch> {
+    let mut sketching = Sketching::new(definition).ok()?;
+    while !meter.is_spent() {
+        meter.charge(WORK);
+        match sketching.step(WORK).ok()? {
+            Ok(sketch) => return Some(sketch),
+            Err(more) => sketching = more,
         }
     }
+    None
 }

@@ -10,7 +10,7 @@ use lsystem_base::words::{grouped, shown};
 use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
 use crate::sketch::{Sketch, Sketching};
-use lsystem_base::{Limits, Progress};
+use lsystem_base::{Limits, Meter, Progress};
 use lsystem_derive::Tally;
 use lsystem_drawing::expand;
 use lsystem_render::mask::Mask;
@@ -298,9 +298,11 @@ impl Marker {
             return say!("The picture is the same, at every number of iterations.");
         }
         let at = |definition: &Definition, n: u32| Definition { iterations: n, ..definition.clone() };
+        let mut meter = Meter::new(LIMITS.work);
         let is_same_at = |n: u32| {
-            let ink = ink(&at(target, n), MAX_COMPARED);
-            ink.zip(drawn(&at(whole, n), MAX_COMPARED)).is_some_and(|(mut ink, own)| is_of(&mut ink, &own))
+            let ink = ink(&at(target, n), MAX_COMPARED, &mut meter);
+            let own = drawn(&at(whole, n), MAX_COMPARED, &mut meter);
+            ink.zip(own).is_some_and(|(mut ink, own)| is_of(&mut ink, &own))
         };
         if n <= MAX_GENERATIONS && (0..n).all(is_same_at) {
             say!("The picture is the same, for n up to {}.", n)

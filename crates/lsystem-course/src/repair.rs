@@ -6,11 +6,11 @@ use crate::exercise::Exercise;
 use crate::same::Outline;
 use crate::sketch::{LIMITS, lists};
 use core::fmt;
-use lsystem_base::Limits;
-use lsystem_base::say;
-use lsystem_base::sorted;
+use core::ops::Range;
+use lsystem_base::{Limits, Meter, Progress, say};
 use lsystem_drawing::Figure;
 use lsystem_syntax::{Action, Definition, Motion};
+use std::collections::BTreeSet;
 
 /// The derivation steps of the drawings that are tried: small drawings show a wrong symbol, too.
 const STEPS: u32 = 3;
@@ -37,38 +37,50 @@ enum Kind {
     Other,
 }
 
-/// A rule's text in which one symbol is exchanged.
-struct Change {
-    repair: Repair,
-    rules: String,
+/// One symbol exchanged in the rules.
+struct Change<'a> {
+    less: Option<(char, Kind)>,
+    more: Option<(char, Kind)>,
+    /// The bytes of the rules in whose place the new symbol comes.
+    at: Range<usize>,
+    /// The text before the arrow.
+    rule: &'a str,
 }
 
 impl Repair {
-    /// The change of one symbol of a student's own rules after which they draw the target.
-    pub(crate) fn of(exercise: &Exercise, student: &Definition) -> Option<Self> {
+    /// The change of one symbol of a student's own rules after which they draw the target. All drawings that are tried
+    /// charge one meter; a spent one ends the search.
+    pub(crate) fn of(exercise: &Exercise, student: &Definition, meter: &mut Meter) -> Option<Self> {
         let target = &exercise.target;
         let n = exercise.complete(student).iterations;
         if n != target.iterations {
             return None;
         }
         let mut late = None;
-        let mut early = ink(&Definition { iterations: n.min(STEPS), ..target.clone() }, MAX[0])?;
-        let mut is_right = |whole: &Definition| {
-            let is_early = drawn(&Definition { iterations: n.min(STEPS), ..whole.clone() }, MAX[0])
+        let mut early = ink(&Definition { iterations: n.min(STEPS), ..target.clone() }, MAX[0], meter)?;
+        let mut is_right = |whole: &Definition, meter: &mut Meter| {
+            let is_early = drawn(&Definition { iterations: n.min(STEPS), ..whole.clone() }, MAX[0], meter)
                 .is_some_and(|figure| is_of(&mut early, &figure));
             if !is_early || n <= STEPS {
                 return is_early;
             }
-            late = late.take().or_else(|| ink(target, MAX[1]));
-            drawn(whole, MAX[1]).is_some_and(|figure| late.as_mut().is_some_and(|late| is_of(late, &figure)))
+            let late = late.get_or_insert_with(|| ink(target, MAX[1], meter)).as_mut();
+            late.zip(drawn(whole, MAX[1], meter)).is_some_and(|(late, figure)| is_of(late, &figure))
         };
-        if is_right(&exercise.complete(student)) {
+        if is_right(&exercise.complete(student), meter) {
             return None;
         }
-        changes(exercise, student).take(MAX_CHANGES).find_map(|Change { repair, rules }| {
-            let whole = exercise.complete(&Definition { rules, ..student.clone() });
-            is_right(&whole).then_some(repair)
-        })
+        for Change { less, more, at, rule } in changes(exercise, student) {
+            let new = more.map(|(symbol, _)| symbol).into_iter().collect::<String>();
+            let rules = [&student.rules[..at.start], &new, &student.rules[at.end..]].concat();
+            if is_right(&exercise.complete(&Definition { rules, ..student.clone() }), meter) {
+                return Some(Self { less, more: more.map(|(_, kind)| kind), rule: rule.to_owned() });
+            }
+            if meter.is_spent() {
+                break;
+            }
+        }
+        None
     }
 }
 
@@ -110,8 +122,9 @@ pub(crate) fn unmatched(rules: &str) -> Option<&str> {
     })
 }
 
-/// All changes of one symbol in the student's plain rules: turns exchanged, symbols taken away, put in, exchanged.
-fn changes(exercise: &Exercise, student: &Definition) -> impl Iterator<Item = Change> {
+/// The first [`MAX_CHANGES`] changes of one symbol in the student's plain rules: turns exchanged, then symbols taken away,
+/// put in, and exchanged.
+fn changes<'a>(exercise: &Exercise, student: &'a Definition) -> Vec<Change<'a>> {
     let actions = Actions::new(&exercise.complete(student));
     let kind = |symbol: char| match actions.of(symbol) {
         [Action::Push | Action::Pop, ..] => Kind::Bracket,
@@ -119,56 +132,48 @@ fn changes(exercise: &Exercise, student: &Definition) -> impl Iterator<Item = Ch
         all if all.iter().all(|action| is_turn(*action)) => Kind::Turn,
         _ => Kind::Other,
     };
-    let mut alphabet: Vec<(char, Kind)> = exercise
-        .target
-        .axiom
-        .chars()
-        .chain(exercise.target.rules.lines().filter_map(successor).flat_map(|(_, at, line)| line[at..].chars()))
-        .filter(|symbol| !symbol.is_whitespace())
-        .map(|symbol| (symbol, kind(symbol)))
-        .filter(|(_, kind)| *kind != Kind::Bracket)
-        .collect();
-    sorted::sort_by_key(&mut alphabet, |(symbol, _)| *symbol);
-    alphabet.dedup_by_key(|(symbol, _)| *symbol);
+    let target = &exercise.target;
+    let successors = target.rules.lines().filter_map(successor).flat_map(|(_, at, line)| line[at..].chars());
+    let symbols: BTreeSet<char> = target.axiom.chars().chain(successors).filter(|c| !c.is_whitespace()).collect();
+    let kinds = symbols.into_iter().map(|symbol| (symbol, kind(symbol)));
+    let alphabet: Vec<(char, Kind)> = kinds.filter(|(_, kind)| *kind != Kind::Bracket).collect();
+    let turns: Vec<(char, Kind)> = alphabet.iter().copied().filter(|(_, kind)| *kind == Kind::Turn).collect();
+    // Each symbol of the rules that may be taken away, and the end of each line.
+    let places = || {
+        let starts = student.rules.split('\n').scan(0, |next, line| {
+            *next += line.len() + 1;
+            Some((*next - line.len() - 1, successor(line)))
+        });
+        starts.filter_map(|(start, line)| Some((start, line?))).flat_map(|(start, (rule, at, line))| {
+            let ends = line[at..].char_indices().map(move |(offset, symbol)| (at + offset, Some(symbol)));
+            ends.chain([(line.len(), None)]).map(move |(at, symbol)| (rule, start + at, symbol))
+        })
+    };
     let mut all = Vec::new();
-    let mut first = 0;
-    for line in student.rules.split('\n') {
-        if let Some((rule, at, _)) = successor(line) {
-            let mut put = |from: usize, to: usize, less: Option<(char, Kind)>, more: Option<(char, Kind)>| {
-                let new = more.map(|(symbol, _)| symbol).into_iter().collect::<String>();
-                let rules = [&student.rules[..first + from], &new, &student.rules[first + to..]].concat();
-                let repair = Repair { less, more: more.map(|(_, kind)| kind), rule: rule.to_owned() };
-                let is_turns = |(_, kind): (char, Kind)| kind == Kind::Turn;
-                let rank = match (less, more) {
-                    (Some(less), Some(more)) if is_turns(less) && is_turns(more) => 0,
-                    (_, None) => 1,
-                    (None, _) => 2,
-                    _ => 3,
-                };
-                all.push((rank, Change { repair, rules }));
+    for rank in 0..4 {
+        for (rule, from, symbol) in places() {
+            let own = symbol.filter(|symbol| !symbol.is_whitespace()).map(|symbol| (symbol, kind(symbol)));
+            let own = own.filter(|(_, kind)| *kind != Kind::Bracket);
+            let is_turn = own.is_some_and(|(_, kind)| kind == Kind::Turn);
+            let (less, more) = match (rank, own) {
+                (0, Some(_)) if is_turn => (own, &turns[..]),
+                (2, _) => (None, &alphabet[..]),
+                (3, Some(_)) => (own, &alphabet[..]),
+                _ => (own, &[][..]),
             };
-            for (offset, symbol) in line[at..].char_indices() {
-                let (from, to) = (at + offset, at + offset + symbol.len_utf8());
-                for &more in &alphabet {
-                    put(from, from, None, Some(more));
+            let is_other =
+                |more: &&(char, Kind)| Some(**more) != less && !(rank == 3 && is_turn && more.1 == Kind::Turn);
+            let at = from..from + less.map_or(0, |(symbol, _)| symbol.len_utf8());
+            let none = (rank == 1 && own.is_some()).then_some(None);
+            for more in more.iter().filter(is_other).map(|more| Some(*more)).chain(none) {
+                if all.len() == MAX_CHANGES {
+                    return all;
                 }
-                if symbol.is_whitespace() || kind(symbol) == Kind::Bracket {
-                    continue;
-                }
-                let less = Some((symbol, kind(symbol)));
-                put(from, to, less, None);
-                for &more in alphabet.iter().filter(|more| more.0 != symbol) {
-                    put(from, to, less, Some(more));
-                }
-            }
-            for &more in &alphabet {
-                put(line.len(), line.len(), None, Some(more));
+                all.push(Change { less, more, at: at.clone(), rule });
             }
         }
-        first += line.len() + 1;
     }
-    sorted::sort_by_key(&mut all, |(rank, _)| *rank);
-    all.into_iter().map(|(_, change)| change)
+    all
 }
 
 /// The predecessor of a plain rule, and where its successor begins; `None` for other lines.
@@ -183,17 +188,26 @@ fn is_turn(action: Action) -> bool {
     action.row().motion == Motion::Turn && action != Action::RollUpright
 }
 
-pub(crate) fn drawn(definition: &Definition, most: u64) -> Option<Figure> {
+/// A drawing of at most `most` segments. `None` as well if the meter is spent.
+pub(crate) fn drawn(definition: &Definition, most: u64, meter: &mut Meter) -> Option<Figure> {
     let mut thin = definition.clone();
     (thin.style.width, thin.style.width_factor) = (0.0, 1.0);
     let limits = Limits { segments: most, ..LIMITS };
-    let figure = Figure::draw(&compiled(&thin).ok()?, definition.iterations, &limits).ok()?;
+    meter.charge((thin.axiom.len() + thin.rules.len()) as u64);
+    let mut drawer = Figure::drawer(&compiled(&thin).ok()?, definition.iterations, limits);
+    let progress = drawer.step(meter.left());
+    meter.charge(drawer.spent());
+    if progress == Progress::More {
+        return None;
+    }
+    let figure = drawer.finish().ok()?;
     figure.check_size(most).ok()?;
+    meter.charge(figure.segment_count() as u64);
     Some(figure)
 }
 
-pub(crate) fn ink(definition: &Definition, most: u64) -> Option<Outline> {
-    let (segments, sides) = lists(&drawn(definition, most)?)?;
+pub(crate) fn ink(definition: &Definition, most: u64, meter: &mut Meter) -> Option<Outline> {
+    let (segments, sides) = lists(&drawn(definition, most, meter)?)?;
     Outline::new(&segments, &sides)
 }
 

@@ -5,6 +5,7 @@ use lsystem_base::Limits;
 use lsystem_base::sorted;
 use lsystem_drawing::{Drawer, Plane, System};
 use lsystem_syntax::{Definition, Diagnostic};
+use std::iter::repeat_n;
 
 /// The number of seeds.
 const SEEDS: u32 = 400;
@@ -41,7 +42,7 @@ impl Sampling {
         Ok(Self { system, n: definition.iterations, first, sample: Sample::default() })
     }
 
-    /// Draws with one more seed. Returns the sample after the last one.
+    /// Draws with one more seed, or once if no seed draws anything else. Returns the sample after the last one.
     ///
     /// # Errors
     /// The limit that a drawing exceeds.
@@ -56,7 +57,9 @@ impl Sampling {
         let drawing = Drawer::<Plane>::new(&self.system, self.n, LIMITS).finish()?;
         let [x0, y0, x1, y1] = drawing.bounds().unwrap_or_default();
         let measures = [drawing.segment_count() as f64, x1 - x0, y1 - y0];
-        self.sample.0.iter_mut().zip(measures).for_each(|(list, measure)| list.push(measure));
+        // Without chance, all seeds draw the same.
+        let count = if self.system.is_stochastic() { 1 } else { SEEDS as usize };
+        self.sample.0.iter_mut().zip(measures).for_each(|(list, measure)| list.extend(repeat_n(measure, count)));
         Ok(None)
     }
 }

@@ -131,19 +131,21 @@ impl Drawn {
     }
 
     /// Measures the agreement once more, with the drawing of the definition. A drawing with too many segments is not called
-    /// the same.
-    pub(crate) fn confirm(&mut self, target: &Target, picture: &Picture, fit: Fit) {
+    /// the same. Returns the work in systems that are unlike the picture.
+    pub(crate) fn confirm(&mut self, target: &Target, picture: &Picture, fit: Fit) -> u64 {
         let Ok(system) = lsystem_drawing::System::new(&self.definition()) else {
             self.agreement = 0.0;
-            return;
+            return 0;
         };
         self.agreement = self.agreement.min(NOT_THE_SAME);
-        let Ok(drawing) = draw::<Plane>(&system, self.found.n, &LIMITS) else { return };
-        if drawing.segment_count() <= u128::from(MAX_SEGMENTS) {
-            let segments = drawing.segments().map(|segment| [segment.from, segment.to]);
-            let strokes = Strokes::of_segments(segments, target.first);
-            self.agreement = judged(&strokes, target.first, picture, fit).0;
+        let Ok(drawing) = draw::<Plane>(&system, self.found.n, &LIMITS) else { return 0 };
+        if drawing.segment_count() > u128::from(MAX_SEGMENTS) {
+            return 0;
         }
+        let segments = drawing.segments().map(|segment| [segment.from, segment.to]);
+        let strokes = Strokes::of_segments(segments, target.first, fit.unit);
+        self.agreement = judged(&strokes, target.first, picture, fit).0;
+        strokes.work(fit, picture) + picture.sheet.work()
     }
 
     /// The order of systems, best first: the same picture, nearly the same, and less like it.

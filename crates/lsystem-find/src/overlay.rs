@@ -62,7 +62,7 @@ impl Overlay {
         if !(by_longer > 0.0 && by_longer.is_finite()) || off > most.max(BY_HAND) {
             return None;
         }
-        let strokes = Strokes::of_segments(drawing.segments().map(|at| [at.from, at.to]), RIGHT);
+        let strokes = Strokes::of_segments(drawing.segments().map(|at| [at.from, at.to]), RIGHT, by_longer);
         // A twig that only one of both has may reach further than all else: so the boxes are laid on each other by each
         // corner, and by their middles.
         let place = |unit: f64, part: [f64; 2]| {

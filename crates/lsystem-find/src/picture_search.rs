@@ -220,8 +220,7 @@ impl PictureSearch {
         let found = Found { rules, n };
         let mut drawn = Drawn { axiom, found, draws, angle, heading, agreement, named: None };
         if agreement >= FOUND {
-            drawn.confirm(&targets[at], picture, fit);
-            work += picture.sheet.work();
+            work += drawn.confirm(&targets[at], picture, fit);
         }
         keep(&mut self.kept, drawn);
         if agreement < NEAR {

@@ -20,6 +20,8 @@ const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
 /// Parts of a drawing whose places differ by less than this many pixels are the same part.
 const SAME: f64 = 0.25;
+/// The same of a drawing's segments: a quarter of a pixel of the sheet.
+const SAME_PLACE: f64 = 0.0625;
 /// Larger than any distance within a picture: a conversion to an integer then saturates at the same end.
 const FAR: f64 = 1e6;
 /// Of systems that agree less, only the nearest one is kept.
@@ -35,6 +37,8 @@ const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
 const WIDTHS: [f64; 4] = [-1.0, -0.5, 0.0, 0.5];
 /// The most times that each change is applied while it improves the fit.
 const MAX_ROUNDS: usize = 6;
+/// The most strokes that are put onto masks to improve one fit: of drawings with more than 50,000, fewer fits are tried.
+const MAX_TRIED: usize = 8_000_000;
 
 /// Strokes from place to place, in steps.
 pub(crate) struct Strokes(Vec<[f64; 4]>);
@@ -87,14 +91,22 @@ impl Strokes {
         Some(Self(tracer.strokes))
     }
 
-    /// Segments of a drawing in steps. `cos` and `sin` are those of the first heading.
-    pub(crate) fn of_segments(segments: impl Iterator<Item = [[f64; 2]; 2]>, (cos, sin): (f64, f64)) -> Self {
+    /// Segments of a drawing in steps, each of `unit` pixels: of those that lie in the same places, one. `cos` and `sin` are
+    /// those of the first heading.
+    pub(crate) fn of_segments(
+        segments: impl Iterator<Item = [[f64; 2]; 2]>,
+        (cos, sin): (f64, f64),
+        unit: f64,
+    ) -> Self {
+        let cell = |at: f64| (at * unit / SAME_PLACE) as i64;
+        let mut seen = HashSet::<_, BuildHasherDefault<Mixer>>::default();
         let turned = |[x, y]: [f64; 2]| [x * cos + y * sin, y * cos - x * sin];
         let stroke = |[from, to]: [[f64; 2]; 2]| {
             let ([x1, y1], [x2, y2]) = (turned(from), turned(to));
             [x1, y1, x2, y2]
         };
-        Self(segments.map(stroke).collect())
+        let is_new = |&[x1, y1, x2, y2]: &[f64; 4]| seen.insert((cell(x1), cell(y1), cell(x2), cell(y2)));
+        Self(segments.map(stroke).filter(is_new).collect())
     }
 
     pub(crate) const fn count(&self) -> usize {
@@ -157,6 +169,7 @@ impl Strokes {
         if most < PROMISING {
             return (most, laid);
         }
+        let mut left = MAX_TRIED / self.count().max(1);
         for change in CHANGES {
             for _ in 0..MAX_ROUNDS {
                 let before = most;
@@ -167,6 +180,7 @@ impl Strokes {
                         Fit { stroke: (best.stroke + by).max(0.5), ..best },
                         Fit { unit: best.unit + by / size, ..best },
                     ];
+                    left = left.saturating_sub(near.len());
                     for fit in near {
                         let value = agreement(fit);
                         if value > most {
@@ -174,11 +188,11 @@ impl Strokes {
                         }
                     }
                 }
-                if most == before {
+                if most == before || left == 0 {
                     break;
                 }
             }
-            if most < NEAR {
+            if most < NEAR || left == 0 {
                 break;
             }
         }
@@ -339,6 +353,18 @@ impl Tracer<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn of_segments_in_the_same_places_there_is_one_stroke() {
+        let strokes = |unit: f64, count: u32, step: f64| {
+            let segments =
+                (0..count).map(|at| f64::from(at % 1000) * step).map(|x| [[1e9 + x, x], [1e9 + x + step, x]]);
+            Strokes::of_segments(segments, (1.0, 0.0), unit).count()
+        };
+        assert_eq!(strokes(1.0, 100_000, 1.0), 1000, "each a hundred times");
+        assert!(strokes(1.0, 1000, 0.001) < 100, "many on each pixel");
+        assert_eq!(strokes(0.001, 1000, 1000.0), 1000);
+    }
 
     #[test]
     fn a_stroke_has_the_pixels_near_it() {

@@ -187,9 +187,6 @@ impl Canvas {
 
     /// The levels of grey on paper of a level.
     pub(crate) fn on(&self, paper: f32) -> Vec<u8> {
-        self.pixels
-            .iter()
-            .map(|[level, alpha]| (level + paper * (1.0 - alpha)).round().clamp(0.0, 255.0) as u8)
-            .collect()
+        self.pixels.iter().map(|[level, alpha]| (level + paper * (1.0 - alpha) + 0.5) as u8).collect()
     }
 }

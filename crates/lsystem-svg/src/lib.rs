@@ -107,8 +107,8 @@ pub fn outline_of_svg(bytes: &[u8]) -> Result<String, SvgError> {
 pub fn draw_svg(bytes: &[u8]) -> Result<SvgPicture, SvgError> {
     let ((canvas, left_out), work) = walked(bytes, walk::drawn)?;
     let Canvas { width, height, .. } = canvas;
-    let papers = [255.0, 0.0].map(|paper| canvas.on(paper));
-    let shown = papers.into_iter().find(|grey| grey.iter().any(|level| *level != grey[0]));
+    let mut papers = [255.0, 0.0].into_iter().map(|paper| canvas.on(paper));
+    let shown = papers.find(|grey| grey.iter().any(|level| *level != grey[0]));
     let grey = shown.ok_or_else(|| {
         SvgError::new(match left_out.is_empty() {
             true => say!("this picture has one shade of grey only"),

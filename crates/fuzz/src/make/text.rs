@@ -326,8 +326,7 @@ pub(crate) fn random_pieces(source: &mut Source<'_>) -> String {
 /// Changes a text up to `most` times: parts are removed, repeated elsewhere, or replaced by pieces.
 pub(crate) fn damage(source: &mut Source<'_>, text: &mut String, pieces: &[&str], most: usize) {
     for _ in 0..source.between(0, most) {
-        let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
-        let (from, to) = (source.pick(&ends), source.pick(&ends));
+        let (from, to) = (source.place(text), source.place(text));
         let times = if source.once_in(60) { source.pick(&[10, 500, 20_000]) } else { 1 };
         let inserted = match source.below(4) {
             0 => text[from.min(to)..from.max(to)].to_owned(),

@@ -96,9 +96,8 @@ fn output(source: &mut Source<'_>, definition: &lsystem::Definition) -> Option<S
 
 fn damage(source: &mut Source<'_>, text: &mut String) {
     for _ in 0..source.between(1, 8) {
-        let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
-        let at = source.pick(&ends);
-        let end = if source.once_in(3) { source.pick(&ends).max(at) } else { at };
+        let at = source.place(text);
+        let end = if source.once_in(3) { source.place(text).max(at) } else { at };
         let times = if source.once_in(40) { source.pick(&[20, 3000]) } else { 1 };
         text.replace_range(at..end, &source.pick(pieces("outputs")).repeat(times));
     }

@@ -41,14 +41,15 @@ const LONG_STEPS: u32 = 4000 / 8;
 /// text shows.
 pub(super) fn long_texts(source: &mut Source<'_>, gauge: &mut Gauge) {
     let whole = source.pick(pieces("whole imports"));
-    let ends: Vec<usize> = whole.char_indices().map(|(at, _)| at).chain([whole.len()]).collect();
-    let (from, to) = (source.pick(&ends), source.pick(&ends));
+    let (from, to) = (source.place(whole), source.place(whole));
     let (before, part, after) = match source.below(3) {
         0 => ("", whole, ""),
         1 => ("", source.pick(pieces("imports")), whole),
         _ => (&whole[..from.min(to)], &whole[from.min(to)..from.max(to)], &whole[from.max(to)..]),
     };
-    let most = source.pick(&[1 << 14, 1 << 16, 1 << 18, MAX_TEXT]).saturating_sub(before.len() + after.len());
+    // Mostly short, so that there are many.
+    let most = MAX_TEXT >> source.pick(&[0, 2, 4, 4, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7]);
+    let most = most.saturating_sub(before.len() + after.len());
     let names = source.below(4);
     let mut text = before.to_owned();
     for number in 0.. {

@@ -44,8 +44,7 @@ pub(super) fn notation(source: &mut Source<'_>, gauge: &mut Gauge) {
 
 /// A text with another one inserted.
 fn mixed(source: &mut Source<'_>, text: &str) -> String {
-    let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
-    let (from, to) = (source.pick(&ends), source.pick(&ends));
+    let (from, to) = (source.place(text), source.place(text));
     format!("{}{}{}", &text[..from], random_pieces(source), &text[to.max(from)..])
 }
 
