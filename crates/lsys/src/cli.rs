@@ -4,18 +4,17 @@ mod options;
 mod values;
 
 pub(crate) use options::{
-    Changes, ExhibitOptions, FilmFormat, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, ViewOptions,
+    Changes, ExhibitOptions, FilmFormat, FilmOptions, GrowthFormat, Known, Look, ScormOptions, TileOptions, ViewOptions,
 };
-pub(crate) use values::{Dive, Scheme, whole};
+pub(crate) use values::{Dive, Scheme};
 
-use crate::find::Known;
 use crate::language;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::import::write::Notation;
 use std::path::PathBuf;
-use values::notations;
+use values::{notations, whole};
 
 const FILE: &str = "System as JSON, in the notation of another program, or in an SVG or PNG; - for standard input";
 

@@ -4,9 +4,8 @@ mod gallery;
 mod picture;
 mod pixels;
 
-use crate::cli::whole;
+use crate::cli::Known;
 use crate::{CommandFailure, input, print};
-use clap::Args;
 use lsystem::base::counted;
 use lsystem::base::say;
 use lsystem::base::words::said;
@@ -45,31 +44,6 @@ struct Candidate {
     symbols: usize,
 }
 
-/// The known properties of the system.
-#[derive(Args, Clone, Debug, PartialEq)]
-pub(crate) struct Known {
-    #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
-    pub(crate) axiom: Option<String>,
-    /// Derivation steps, 1 to 30
-    #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
-    pub(crate) iterations: Option<u32>,
-    /// Symbols without rules, for strings
-    #[arg(long, default_value = "+-[]", allow_hyphen_values = true)]
-    pub(crate) constants: String,
-    /// Degrees of a turn, for pictures
-    #[arg(long, value_name = "DEGREES")]
-    pub(crate) angle: Option<f64>,
-    /// First heading in degrees, counter-clockwise from the right, for pictures
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
-    pub(crate) heading: Option<f64>,
-    /// Letters that draw, for pictures
-    #[arg(long, value_name = "LETTERS")]
-    pub(crate) draws: Option<String>,
-    /// Seconds to search [default: counted work, equal on every machine]
-    #[arg(long, value_name = "S")]
-    pub(crate) seconds: Option<u32>,
-}
-
 impl Known {
     /// The end of a search that begins now, by the clock.
     fn end(&self) -> Option<Instant> {
@@ -85,34 +59,34 @@ impl Known {
 pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), CommandFailure> {
     let path = Path::new(wanted);
     // Pipes are files, too.
-    let text = match wanted == "-" || path.exists() && !path.is_dir() {
-        true => {
-            let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
-            if pixels::is_picture(&bytes) {
-                return picture::find(wanted, &bytes, known, json);
-            }
-            if let Some(kind) = pixels::other_kind(&bytes) {
-                let words =
-                    say!("{}: {} pictures are not read: save this one as a PNG, a JPEG or an SVG", wanted, kind);
-                return Err(CommandFailure::Words(words));
-            }
-            if is_svg(&bytes) {
-                return picture::find_svg(wanted, &bytes, known, json);
-            }
-            let text = String::from_utf8(bytes);
-            let text = text.map_err(|_| CommandFailure::Words(say!("{}: this is no text", wanted)))?;
-            if text.len() > MAX_OUTPUT {
-                let words = say!("{}: longer than {} MiB, which is not read", wanted, MAX_OUTPUT >> 20);
-                return Err(CommandFailure::Words(words));
-            }
-            if let Some(segments) = picture::segments(wanted, &text)? {
-                return picture::find_segments(wanted, &segments, known, json);
-            }
-            text
-        }
-        false => wanted.to_owned(),
-    };
-    let text = text.trim();
+    if wanted != "-" && (!path.exists() || path.is_dir()) {
+        return find_string(wanted.trim(), known, json);
+    }
+    let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
+    if pixels::is_picture(&bytes) {
+        return picture::find(wanted, &bytes, known, json);
+    }
+    if let Some(kind) = pixels::other_kind(&bytes) {
+        let words = say!("{}: {} pictures are not read: save this one as a PNG, a JPEG or an SVG", wanted, kind);
+        return Err(CommandFailure::Words(words));
+    }
+    if is_svg(&bytes) {
+        return picture::find_svg(wanted, &bytes, known, json);
+    }
+    let text = String::from_utf8(bytes);
+    let text = text.map_err(|_| CommandFailure::Words(say!("{}: this is no text", wanted)))?;
+    if text.len() > MAX_OUTPUT {
+        let words = say!("{}: longer than {} MiB, which is not read", wanted, MAX_OUTPUT >> 20);
+        return Err(CommandFailure::Words(words));
+    }
+    if let Some(segments) = picture::segments(wanted, &text)? {
+        return picture::find_segments(wanted, &segments, known, json);
+    }
+    find_string(text.trim(), known, json)
+}
+
+/// Finds rules that derive a string.
+fn find_string(text: &str, known: &Known, json: bool) -> Result<(), CommandFailure> {
     let axioms = known.axiom.clone().map_or_else(|| axioms(text, &known.constants), |axiom| vec![axiom]);
     if axioms.is_empty() {
         return Err(CommandFailure::Words(say!("a string with letters is expected, or --axiom")));

@@ -1,7 +1,6 @@
 //! Compiling a grammar: letters become small integers, names become slots.
 
-use crate::rewrite::Rewrite;
-use crate::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
+use crate::rules::{ContextPattern, Letter, LetterId, Rewrite, Rule, Rules, Template};
 use core::ops::Range;
 use lsystem_base::sorted::{set, sort};
 use lsystem_syntax::Expr;

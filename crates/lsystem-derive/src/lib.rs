@@ -46,10 +46,9 @@ pub use asking::{Interpret, Interpretation, Interpreter, QueryAnswer};
 pub use counts::{Counter, weigh_until};
 pub use derivation::{derive_once, derive_string, derive_symbol, fault};
 pub use key::{Key, Quantity};
-pub use rewrite::Rewrite;
 pub use rewriting::{Age, Fault, History, Image, Rewriter, between};
-pub use rules::{Letter, LetterId, Rule, Rules, Template};
+pub use rules::{Letter, LetterId, Rewrite, Rule, Rules, Template};
 pub use tally::Tally;
 pub use walk::{DepthFirst, ModuleAge, Next};
 
-pub(crate) use rewrite::Alternative;
+pub(crate) use rules::Alternative;

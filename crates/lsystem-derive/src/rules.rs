@@ -1,7 +1,6 @@
 //! Compiled productions.
 
 use crate::asking::Interpreter;
-use crate::rewrite::Rewrite;
 use core::ops::Range;
 use lsystem_syntax::{Code, Query};
 
@@ -164,5 +163,66 @@ impl Rules {
     #[must_use]
     pub fn is_parametric(&self) -> bool {
         self.letters.iter().any(|letter| letter.arity > 0)
+    }
+}
+
+/// The rewriting of a letter in one derivation step. It is exact if the rules are [plain](Rules::is_plain). Otherwise
+/// it lists the possible successors with equal chances, without regard to contexts, conditions and weights.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rewrite {
+    /// The letter has no production. The letter and its key stay.
+    Keep,
+    /// Always the same successor.
+    Always(Vec<LetterId>),
+    /// One of several successors, by weight.
+    Choose(Vec<Alternative>),
+}
+
+/// One possible successor of a letter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alternative {
+    /// The cumulative normalised weight, including this alternative; 1.0 for the last.
+    pub until: f64,
+    /// The successor.
+    pub successor: Vec<LetterId>,
+}
+
+impl Alternative {
+    /// The index of the alternative that `roll` (uniform in `0.0..1.0`) selects, by binary search.
+    #[must_use]
+    pub fn of(alternatives: &[Self], roll: f64) -> usize {
+        alternatives.partition_point(|alternative| alternative.until <= roll).min(alternatives.len().saturating_sub(1))
+    }
+}
+
+impl Rewrite {
+    /// The successor that `roll` (uniform in `0.0..1.0`) selects; `None` if the letter stays.
+    #[must_use]
+    pub fn successor(&self, roll: impl FnOnce() -> f64) -> Option<&[LetterId]> {
+        match self {
+            Self::Keep => None,
+            Self::Always(successor) => Some(successor),
+            Self::Choose(alternatives) => alternatives
+                .get(Alternative::of(alternatives, roll()))
+                .map(|alternative| alternative.successor.as_slice()),
+        }
+    }
+
+    /// The only successor; `None` if the letter stays or has several possible successors.
+    #[must_use]
+    pub fn always(&self) -> Option<&[LetterId]> {
+        if let Self::Always(word) = self { Some(word) } else { None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_roll_chooses_by_weight() {
+        let alternatives = [0.25, 0.25, 0.75, 1.0].map(|until| Alternative { until, successor: vec![] });
+        let chosen = [0.0, 0.2, 0.25, 0.7, 0.75, 0.99, 1.0].map(|roll| Alternative::of(&alternatives, roll));
+        assert_eq!(chosen, [0, 0, 2, 2, 3, 3, 3]);
     }
 }

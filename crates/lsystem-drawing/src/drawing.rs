@@ -27,6 +27,7 @@ mod segments;
 mod share;
 mod simplify;
 mod solid;
+mod solid_extent;
 mod solid_reader;
 mod taper;
 mod task;

@@ -5,9 +5,6 @@ use lsystem_base::{LimitName, MAX_FILE, MAX_TEXT, say};
 use lsystem_syntax::{Definition, Diagnostic, Field};
 use std::borrow::Cow;
 
-/// The keyword of a system in a picture's metadata.
-pub(super) const KEYWORD: &str = "L-system";
-
 /// The result of [`read_file`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileContent {

@@ -5,9 +5,11 @@
 use super::csv::csv_file;
 use super::paper::{write_pdf, write_tikz, write_tikz_library};
 use super::svg::{svg_file, warning};
-use super::{FileOptions, Sink, SvgForm, SvgOptions, bibtex, latex, markdown, mesh_file, write_plot};
+use super::{
+    FileOptions, Notes, Sink, SvgForm, SvgOptions, WriteResult, bibtex, latex, markdown, mesh_file, write_plot,
+};
 use lsystem_drawing::{Drawing, Solid, System};
-use lsystem_syntax::{Definition, Diagnostic, Halt, Style};
+use lsystem_syntax::{Definition, Halt, Style};
 use std::sync::Arc;
 
 /// An export format: a row of [`FORMATS`].
@@ -90,18 +92,6 @@ impl Purpose {
         }
     }
 }
-
-/// Remarks on a written file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Notes {
-    /// A warning about the file.
-    pub remark: Option<Diagnostic>,
-    /// Facts about the file, as a line of text.
-    pub summary: Option<String>,
-}
-
-/// The result of writing a file.
-pub type WriteResult = Result<Notes, Halt>;
 
 /// The input of a file, with the function that writes it. A limit is an error before the first byte.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,8 @@
 //! Files of meshes: the drawing is simplified where this is asked for, then made into a mesh, then written.
 
-use crate::formats::Notes;
 use crate::gltf::glb_file;
 use crate::obj::obj_file;
-use crate::{FileOptions, Sink, write_stl};
+use crate::{FileOptions, Notes, Sink, write_stl};
 use lsystem_drawing::{Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid};
 use lsystem_syntax::{Halt, Style};
 use std::sync::Arc;

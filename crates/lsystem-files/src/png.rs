@@ -1,7 +1,9 @@
 //! Texts in PNG files (PNG specification, third edition, sections 5 and 11.3.3.4).
 
-use super::embed::KEYWORD;
 use std::borrow::Cow;
+
+/// The keyword of a system among the texts.
+pub(super) const KEYWORD: &str = "L-system";
 
 const SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 

@@ -2,7 +2,7 @@
 //! picture.
 
 use super::Sink;
-use super::embed::KEYWORD;
+use super::png::KEYWORD;
 use core::cell::RefCell;
 use lsystem_base::LimitName;
 use lsystem_drawing::Figure;

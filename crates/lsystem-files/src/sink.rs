@@ -5,6 +5,18 @@ use lsystem_syntax::{Diagnostic, Halt, Work};
 /// The units of work after which the owner learns of them, and gets the text written so far: well under a millisecond.
 const SHARE: u64 = 1 << 14;
 
+/// Remarks on a written file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// A warning about the file.
+    pub remark: Option<Diagnostic>,
+    /// Facts about the file, as a line of text.
+    pub summary: Option<String>,
+}
+
+/// The result of writing a file.
+pub type WriteResult = Result<Notes, Halt>;
+
 /// The owner of a file in the making: takes the bytes piece by piece, and may stop the work.
 pub trait Owner {
     /// Takes the next bytes of the file. Pieces of texts are whole characters.

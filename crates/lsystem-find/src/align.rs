@@ -5,9 +5,9 @@
 //! by registration of multiple range images", 1992). Where lines meet, the middle of their ink is beside each of them, and a
 //! plant's forks all open upwards. So the middle is measured in the strokes' own ink too, where it is off by as much.
 
+use crate::brush::put_stroke;
 use crate::projection::Projection;
 use crate::squares::{Squares, bisquare};
-use crate::strokes::put_stroke;
 use lsystem_render::mask::{Mask, SIDE};
 
 /// How far ink is sought on both sides of a stroke, in pixels: round by round.

@@ -8,8 +8,7 @@
 use crate::curve_letters::{LINE, LetterSearch};
 use crate::family::{Family, Rule, mirrored};
 use crate::lattice::{Lattice, Walker};
-use crate::source::Advance;
-use crate::successors::{Alphabet, Symbol};
+use crate::successors::{Advance, Alphabet, Symbol};
 use lsystem_base::sorted;
 use std::collections::HashSet;
 use std::iter::once;

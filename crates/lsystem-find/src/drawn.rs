@@ -1,11 +1,10 @@
 //! The systems that a search keeps.
 
 use crate::hull::{Fit, Target};
-use crate::named::without_spaces;
-use crate::overlay::{LIMITS, MAX_SEGMENTS, NOT_THE_SAME, judged};
+use crate::overlay::{FOUND, LIMITS, MAX_SEGMENTS, NOT_THE_SAME, judged};
 use crate::picture::Picture;
 use crate::strokes::{NEAR, Strokes};
-use crate::{Found, Named, printed};
+use crate::{Found, printed};
 use lsystem_base::sorted;
 use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect};
@@ -13,8 +12,6 @@ use std::cmp::Reverse;
 use std::iter::once;
 use std::sync::Arc;
 
-/// The least agreement of a system that counts as found: it draws the picture or nearly so.
-pub const FOUND: f64 = 0.985;
 /// Of systems that draw the picture, those whose agreement is less than the best one's by at least this come after the
 /// others, however short they are.
 const AS_GOOD: f64 = 0.005;
@@ -24,6 +21,15 @@ const MAX_KEPT: usize = 20;
 const MAX_TURNS: usize = 2;
 /// The rank of a successor that is written in another way than usual: all usual ones of its length come before it.
 const UNUSUAL: usize = 1000;
+
+/// A system with its name, given by the caller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named {
+    /// In words, such as "Koch curve".
+    pub name: String,
+    /// The system. Its style does not matter.
+    pub definition: Definition,
+}
 
 /// A system that draws the picture, or nearly.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,6 +180,10 @@ pub(crate) fn keep(kept: &mut Vec<Drawn>, mut drawn: Drawn) {
     sorted::sort_by_key(kept, |drawn| drawn.order(best));
     let near = kept.iter().filter(|drawn| drawn.agreement >= NEAR).count();
     kept.truncate(near.clamp(1, MAX_KEPT));
+}
+
+pub(crate) fn without_spaces(text: &str) -> String {
+    text.chars().filter(|symbol| !symbol.is_whitespace()).collect()
 }
 
 #[cfg(test)]

@@ -186,8 +186,8 @@ fn pair_words(letter: char, is_reversed: bool, other: char) -> String {
     }
 }
 
-/// The families of systems with an axiom.
-pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
+/// The letters of an axiom, in the order in which they first occur.
+fn letters_of(axiom: &str) -> Result<Vec<char>, &'static str> {
     let mut letters: Vec<char> = Vec::new();
     for symbol in axiom.chars().filter(|symbol| !symbol.is_whitespace()) {
         match symbol {
@@ -205,6 +205,12 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
     {
         return Err(word!("an axiom of at most 200 symbols whose branches are closed is expected"));
     }
+    Ok(letters)
+}
+
+/// The families of systems with an axiom.
+pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
+    let letters = letters_of(axiom)?;
     let other = |names: [char; 2]| names.into_iter().find(|name| !letters.contains(name)).unwrap_or('Z');
     let (drawn, undrawn) = (other(DRAWN), other(UNDRAWN));
     let mut families = Vec::new();

@@ -1,9 +1,10 @@
 //! The search for the rules of a picture, of whose system some properties are known.
 
 use crate::angles::suggested;
-use crate::drawn::{Drawn, FOUND, keep};
+use crate::drawn::{Drawn, keep};
 use crate::lattice::Lattices;
-use crate::{Known, Named, Picture, PictureSearch, Searched, Share};
+use crate::overlay::FOUND;
+use crate::{Known, Named, Picture, PictureSearch, Question, Searched, Share};
 use lsystem_base::say;
 use lsystem_base::sorted;
 use lsystem_base::words::shown;
@@ -30,21 +31,6 @@ const READ_AXIOMS: usize = AXIOMS.len();
 const READ: u64 = 1024;
 /// The work of drawing a system with a name, in systems whose hulls are tried.
 const NAMED: u64 = 32;
-
-/// The known properties of a picture's system; `None` stands for an unknown one.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Question {
-    /// Letters, turns and branches.
-    pub axiom: Option<String>,
-    /// In degrees.
-    pub angle: Option<f64>,
-    /// The first heading, in degrees counter-clockwise from the right.
-    pub heading: Option<f64>,
-    /// The number of derivation steps.
-    pub n: Option<u32>,
-    /// The letters that draw.
-    pub draws: Option<String>,
-}
 
 /// A search for the rules of a picture, in steps. It can be dropped at any time.
 ///

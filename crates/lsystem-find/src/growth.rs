@@ -8,9 +8,8 @@
 use crate::family::{Family, Rule};
 use crate::hull::{Fit, Hulls, System, Target};
 use crate::picture::Picture;
-use crate::source::Advance;
 use crate::strokes::{Laid, Strokes, pixel};
-use crate::successors::{Alphabet, Symbol};
+use crate::successors::{Advance, Alphabet, Symbol};
 use lsystem_base::sorted;
 use lsystem_render::mask::SIDE;
 use std::cmp::Reverse;

@@ -3,9 +3,9 @@
 //! From a corner of the picture's hull, lines are followed from node to node as long as they lie on ink. The lines that
 //! are known give the length of a line and the place of the corner ever more exactly, by least squares.
 
+use crate::brush::put_stroke;
 use crate::hull::Target;
 use crate::picture::Picture;
-use crate::strokes::put_stroke;
 use crate::successors::{Alphabet, Symbol};
 use lsystem_render::mask::{Mask, SIDE};
 use std::collections::{HashMap, VecDeque};

@@ -22,6 +22,7 @@
 
 mod align;
 mod angles;
+mod brush;
 mod curve;
 mod curve_letters;
 mod derivation;
@@ -39,6 +40,7 @@ mod photograph;
 mod picture;
 mod picture_search;
 mod projection;
+mod question;
 mod share;
 mod sheet;
 mod source;
@@ -48,13 +50,13 @@ mod strokes;
 mod successors;
 
 pub use derivation::{Search, Searched};
-pub use drawn::{Drawn, FOUND};
-pub use finder::{Finder, Question, merged};
-pub use named::Named;
-pub use overlay::SIDE;
+pub use drawn::{Drawn, Named};
+pub use finder::{Finder, merged};
+pub use overlay::{FOUND, SIDE};
 pub use photograph::Photograph;
 pub use picture::Picture;
 pub use picture_search::{Known, PictureSearch};
+pub use question::Question;
 pub use share::Share;
 pub use strings::StringFinder;
 

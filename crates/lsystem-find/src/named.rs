@@ -1,21 +1,13 @@
 //! Systems with names, such as those of a gallery, which a search tries before all others.
 
+use crate::drawn::without_spaces;
 use crate::overlay::Overlay;
 use crate::picture::Picture;
-use crate::{Drawn, Found, Question};
+use crate::{Drawn, Found, Named, Question};
 use lsystem_base::sorted;
 use lsystem_drawing::System;
 use lsystem_syntax::{Action, Definition};
 use std::sync::Arc;
-
-/// A system with its name, given by the caller.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Named {
-    /// In words, such as "Koch curve".
-    pub name: String,
-    /// The system. Its style does not matter.
-    pub definition: Definition,
-}
 
 impl Named {
     /// The system, if it may be the one that is asked for.
@@ -51,10 +43,6 @@ impl Named {
         };
         (Some(drawn), overlay.work)
     }
-}
-
-pub(crate) fn without_spaces(text: &str) -> String {
-    text.chars().filter(|symbol| !symbol.is_whitespace()).collect()
 }
 
 /// The letters of a system that draw, in their order.

@@ -1,6 +1,5 @@
 //! A drawing laid on a picture: how much of the ink agrees, whether both are the same, and where they differ.
 
-use crate::drawn::FOUND;
 use crate::hull::Fit;
 use crate::picture::{LOOSE, Picture};
 use crate::strokes::{Laid, Strokes};
@@ -15,6 +14,8 @@ pub(crate) const MAX_SEGMENTS: u64 = 200_000;
 /// The limits of such a drawing.
 pub(crate) const LIMITS: Limits =
     Limits { symbols: 2_000_000, modules: 2_000_000, segments: 400_000, work: 4_000_000, memory: 128 << 20 };
+/// The least agreement of a system that counts as found: it draws the picture or nearly so.
+pub const FOUND: f64 = 0.985;
 /// The agreement of drawings that are not the same is at most this.
 pub(crate) const NOT_THE_SAME: f64 = 1.0 - f64::EPSILON;
 /// The sides of the box around a drawing differ from that of the picture by at most this many pixels.

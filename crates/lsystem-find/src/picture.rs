@@ -1,14 +1,12 @@
 //! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
 
+use crate::brush::put_stroke;
 use crate::enlarged::enlarged;
 use crate::parts::drawing;
-use crate::sheet::{self, Sheet, half_width};
-use crate::strokes::put_stroke;
+use crate::sheet::{self, MARGIN, Sheet, half_width};
 use lsystem_base::word;
 use lsystem_render::mask::{Mask, SIDE};
 
-/// The pixels around the ink.
-pub(crate) const MARGIN: usize = 4;
 /// A picture whose ink covers more than this part of its hull shows no lines.
 const MAX_COVERED: f64 = 0.85;
 /// Half the width of the lines that segments are drawn with, in pixels.

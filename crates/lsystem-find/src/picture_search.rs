@@ -1,9 +1,10 @@
 //! The search for the rules of a picture.
 
-use crate::drawn::{Drawn, FOUND, keep};
+use crate::drawn::{Drawn, keep};
 use crate::family::{Family, MAX_SYMBOLS, families};
 use crate::hull::{Fit, Hulls, System, Target};
 use crate::lattice::Lattices;
+use crate::overlay::FOUND;
 use crate::picture::Picture;
 use crate::source::Sources;
 use crate::strokes::{NEAR, Strokes};

@@ -1,9 +1,10 @@
 //! The ink of a picture at a finer resolution than that of the mask: here twigs show that the mask does not resolve.
 
-use crate::picture::MARGIN;
-use crate::strokes::{PIXELS, for_runs};
+use crate::brush::{PIXELS, for_runs};
 use lsystem_render::mask::put_run;
 
+/// The pixels around the ink of a mask.
+pub(crate) const MARGIN: usize = 4;
 /// The longer side is at most this many pixels, so that a sheet has at most 512 KiB.
 pub(crate) const MAX: usize = 2048;
 /// One in this many pixels of ink lies on a line of at most the usual width.

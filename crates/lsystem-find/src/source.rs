@@ -7,7 +7,7 @@ use crate::hull::Target;
 use crate::lattice::{LatticeSearch, Lattices};
 use crate::picture::Picture;
 use crate::share::Share;
-use crate::successors::Symbol;
+use crate::successors::{Advance, Symbol};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -22,14 +22,6 @@ pub(crate) enum Source {
     Lattice(Arc<Mutex<LatticeSearch>>),
     /// A curve of a family.
     Curve(usize, Box<CurveSearch>),
-}
-
-/// The result of a step of such a search.
-pub(crate) enum Advance {
-    More,
-    Done,
-    /// A successor of the letter whose rule is free.
-    Word(Vec<Symbol>),
 }
 
 /// All sources. A source of curves and a source of plants alternate; each runs to its end before the next one of its

@@ -3,6 +3,14 @@
 /// A symbol of a successor: a letter, or one of the four below, counted from the number of letters.
 pub(crate) type Symbol = u8;
 
+/// The result of a step of a search that reads successors off a picture.
+pub(crate) enum Advance {
+    More,
+    Done,
+    /// A successor of the letter whose rule is free.
+    Word(Vec<Symbol>),
+}
+
 /// The alphabet of successors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Alphabet {

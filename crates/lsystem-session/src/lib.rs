@@ -40,6 +40,7 @@
 
 mod budget;
 mod counts;
+mod facts;
 mod files;
 mod mates;
 mod notation;
@@ -56,14 +57,15 @@ mod surface;
 #[cfg(test)]
 mod tests;
 mod viewer;
+mod views;
 
+pub use facts::{Anchor, Picked, Place, StringPage, SymbolFacts};
 pub use files::{FileRead, read_file};
 pub use mates::{Outcome, PaneStep, SharedPane};
 pub use notation::{ModulePlace, TextClasses, notation, site_of};
 pub use pace::STEP;
 pub use plain::{ThrownProblems, expand, segments};
 pub use qr::qr_code;
-pub use reading::{Anchor, Picked, Place, StringPage, SymbolFacts};
 pub use report::{Problem, Report};
 pub use session::{Session, StepAnswer};
 pub use surface::{Clock, Screen};

@@ -1,12 +1,9 @@
 //! The interface of a drawing's viewer: there is one viewer for the plane and one for space.
 
-use crate::plane::PlaneView;
-use crate::reading::Pose;
-use crate::solid::SolidView;
+use crate::facts::Pose;
 use crate::surface::{Clock, Screen};
 use lsystem::drawing::Origin;
-use lsystem::render::Closeup;
-use lsystem::{Figure, Style, Vantage, Viewport};
+use lsystem::{Style, Vantage, Viewport};
 use serde::Serialize;
 use ts_rs::TS;
 
@@ -80,47 +77,4 @@ pub(crate) trait Viewer<S: Screen> {
 
     /// Whether a coarse picture is on the canvas and a finer one is in the making, so that there is no hurry.
     fn is_refining(&self) -> bool;
-}
-
-/// The viewers of both spaces. One of them shows the drawing.
-#[derive(Default)]
-pub(crate) struct Views {
-    plane: PlaneView,
-    pub(crate) solid: SolidView,
-    is_solid: bool,
-}
-
-impl Views {
-    /// Viewers of small pictures, within [`SMALL`](crate::budget::SMALL).
-    pub(crate) fn small() -> Self {
-        Self { plane: PlaneView::small(), ..Self::default() }
-    }
-
-    /// Takes the drawing of the next pictures.
-    pub(crate) fn load(&mut self, figure: &Figure) {
-        self.is_solid = figure.is_solid();
-        match figure {
-            Figure::Plane(drawing) => {
-                self.solid.forget();
-                self.plane.load(drawing.clone());
-            }
-            Figure::Space(drawing) => {
-                self.plane.forget();
-                self.solid.load(drawing.clone());
-            }
-        }
-    }
-
-    /// The close-up that was shown last, if any.
-    pub(crate) fn closeup(&self) -> Option<&Closeup> {
-        if self.is_solid { None } else { self.plane.closeup() }
-    }
-
-    pub(crate) fn get<S: Screen>(&self) -> &dyn Viewer<S> {
-        if self.is_solid { &self.solid } else { &self.plane }
-    }
-
-    pub(crate) fn get_mut<S: Screen>(&mut self) -> &mut dyn Viewer<S> {
-        if self.is_solid { &mut self.solid } else { &mut self.plane }
-    }
 }

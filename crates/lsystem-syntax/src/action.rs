@@ -2,13 +2,9 @@
 //!
 //! A new action is a variant of [`Action`], a row of [`ACTIONS`], and its operation in the turtle (`lsystem-drawing`).
 
-use crate::{Expected, Outline};
+use crate::{CIRCLE_SIDES, Expected, Outline};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use lsystem_base::word;
-
-/// The number of sides of a circle and of a disc. With 32 sides, the sides stay within half a pixel of a true circle
-/// with a diameter of up to 200 pixels.
-pub const CIRCLE_SIDES: u32 = 32;
 
 /// The number of strokes of a part of a tube. With 8 strokes, a part whose headings differ from its chord by up to 60
 /// degrees stays within 1/90 of the length of the chord of the true curve.

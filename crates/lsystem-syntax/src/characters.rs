@@ -38,3 +38,8 @@ pub fn look_alike(ch: char) -> Option<char> {
         _ => return None,
     })
 }
+
+/// The symbol for `@` followed by this ASCII character. In cpfg, `@c` and `@o` fill a disc around the turtle.
+pub(crate) fn disc(after: char) -> Option<char> {
+    matches!(after, 'c' | 'o').then_some('●')
+}

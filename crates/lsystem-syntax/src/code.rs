@@ -236,6 +236,12 @@ fn compile(
             });
         }
     }
+    fold(ops, start);
+    Ok(())
+}
+
+/// Replaces the operations from `start` on by their value if they are one operation on constants.
+fn fold(ops: &mut Vec<Op>, start: usize) {
     let constant = |op: &Op| matches!(op, Op::Number(_));
     if let [arguments @ .., last] = &ops[start..]
         && !arguments.is_empty()
@@ -246,7 +252,6 @@ fn compile(
         ops.truncate(start);
         ops.push(Op::Number(value));
     }
-    Ok(())
 }
 #[cfg(test)]
 mod tests {

@@ -51,7 +51,7 @@ mod query;
 mod shape;
 mod work;
 
-pub use action::{ACTIONS, Action, ActionRow, CIRCLE_SIDES, Motion, NumberForm, TUBE_STROKES, Vocabulary};
+pub use action::{ACTIONS, Action, ActionRow, Motion, NumberForm, TUBE_STROKES, Vocabulary};
 pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;
@@ -68,7 +68,7 @@ pub use heading::Heading;
 pub use notation::constants::ConstantPlace;
 pub use notation::parse;
 pub use notation::site::{Site, site};
-pub use outline::Outline;
+pub use outline::{CIRCLE_SIDES, Outline};
 pub use overrides::{parse_overrides, print_overrides};
 pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};

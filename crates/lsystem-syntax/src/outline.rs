@@ -1,6 +1,8 @@
 //! The outlines that a symbol can fill: a disc, and leaves.
 
-use crate::CIRCLE_SIDES;
+/// The number of sides of a circle and of a disc. With 32 sides, the sides stay within half a pixel of a true circle
+/// with a diameter of up to 200 pixels.
+pub const CIRCLE_SIDES: u32 = 32;
 
 /// A shape that the turtle fills in the plane of its heading and its left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

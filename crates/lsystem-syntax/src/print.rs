@@ -1,8 +1,7 @@
 //! Printing a grammar in the notation, as text that reads back as the same grammar.
 
-use crate::characters::{is_blank, is_invisible, look_alike};
+use crate::characters::{disc, is_blank, is_invisible, look_alike};
 use crate::grammar::{NamedCurve, NamedShape};
-use crate::notation::token::disc;
 use crate::{Expr, Grammar, Module, Pattern, Production, Query, Seen};
 use core::fmt::Write;
 use lsystem_base::number::number;

@@ -2,7 +2,7 @@
 //! the page's response times and cost of opening, which rules of pictures are found in which time, and plots beside
 //! those of vpype.
 
-use crate::workspace::Workspace;
+use crate::workspace::{Kind, Workspace};
 use crate::{bindgen, build, outside, page, tools};
 use anyhow::Result;
 use clap::ValueEnum;
@@ -59,7 +59,7 @@ pub(crate) fn bench(workspace: &Workspace, parts: &[Part]) -> Result<()> {
     }
     let mut scripts = PAGE.into_iter().filter(|(part, _)| has(*part)).peekable();
     if scripts.peek().is_some() {
-        build::build(workspace, build::Kind::Shipped, None)?;
+        build::build(workspace, Kind::Shipped, None)?;
     }
     scripts.try_for_each(|(_, script)| page::bench(workspace, script))
 }

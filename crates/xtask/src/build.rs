@@ -5,33 +5,14 @@ mod stable;
 
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::one_file::Alone;
-use crate::workspace::Workspace;
+use crate::workspace::{Kind, Workspace};
 use crate::{files, html, joined, notices, offline, one_file, split, steps_page, tools, wasms};
 pub(crate) use address::Address;
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use std::thread;
-
-/// How the wasm is compiled.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// As it is published: smallest and fastest.
-    Shipped,
-    /// In a fifth of the time, for work on the page: larger and slower.
-    Draft,
-}
-
-impl Kind {
-    /// The folder of the built site.
-    pub(crate) fn folder(self, workspace: &Workspace) -> PathBuf {
-        match self {
-            Self::Shipped => workspace.root.join("dist"),
-            Self::Draft => workspace.target.join("site"),
-        }
-    }
-}
 
 /// The classic scripts of the pages.
 const SCRIPTS: [&str; 5] = ["js/early.js", "js/exercise/lesson.js", PACKED, "l-system.js", "service-worker.js"];
@@ -150,7 +131,7 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         single.iter().zip(texts).try_for_each(|((_, file, ..), text)| files::write(&site.join(file), text))
     })?;
     // On the site, tools are in parts.
-    let carried = split::ALONE.iter().flat_map(|tool| of(tool)).chain(["tools.wasm".to_owned()]);
+    let carried = wasms::ALONE.iter().flat_map(|tool| of(tool)).chain(["tools.wasm".to_owned()]);
     carried.into_iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
     stable::write(site)?;
     make("documents")?;

@@ -34,7 +34,7 @@ mod workspace;
 use anyhow::Result;
 use clap::Parser;
 use std::process::ExitCode;
-use workspace::Workspace;
+use workspace::{Kind, Workspace};
 
 /// The developer's tool of the L-system playground.
 ///
@@ -103,7 +103,7 @@ fn run() -> Result<()> {
     let command = Command::parse();
     let workspace = &Workspace::find()?;
     match command {
-        Command::Build(options) => build::build(workspace, build::Kind::Shipped, options.address()?.as_ref()),
+        Command::Build(options) => build::build(workspace, Kind::Shipped, options.address()?.as_ref()),
         Command::Program => program::program(workspace),
         Command::Serve(options) => serve::serve(workspace, &options),
         Command::Test(options) => test::test(workspace, &options),

@@ -1,6 +1,6 @@
 //! `cargo xtask monkey`: random actions on the page and on embedded drawings, in a real browser.
 
-use crate::workspace::Workspace;
+use crate::workspace::{Kind, Workspace};
 use crate::{build, page};
 use anyhow::Result;
 
@@ -9,7 +9,7 @@ pub(crate) const ONE_MINUTE: [&str; 2] = ["--minutes=1", "--seed=1"];
 
 /// Builds the page and runs the monkey on it.
 pub(crate) fn monkey(workspace: &Workspace, words: &[String]) -> Result<()> {
-    build::build(workspace, build::Kind::Shipped, None)?;
+    build::build(workspace, Kind::Shipped, None)?;
     run(workspace, words)
 }
 

@@ -1,7 +1,6 @@
 //! `cargo xtask package`: the npm package, and the check that the crates can be published.
 
-use crate::build::Kind;
-use crate::workspace::{Workspace, output};
+use crate::workspace::{Kind, Workspace, output};
 use crate::{bindgen, files, notices, page, tools, wasms};
 use anyhow::{Context, Result};
 use fs_err as fs;

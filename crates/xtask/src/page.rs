@@ -1,9 +1,8 @@
 //! The page's checks: types, unit tests in Node.js, end-to-end tests in a browser.
 
-use crate::build::Kind;
 use crate::report::Report;
 use crate::server::{Gate, Server};
-use crate::workspace::{Workspace, output};
+use crate::workspace::{Kind, Workspace, output};
 use crate::{files, tools};
 use anyhow::{Context, Result, bail};
 use fs_err as fs;

@@ -1,8 +1,7 @@
 //! `cargo xtask program`: the command-line program, with pages inside.
 
-use crate::build::{self, Kind};
-use crate::files;
-use crate::workspace::Workspace;
+use crate::workspace::{Kind, Workspace};
+use crate::{build, files};
 use anyhow::Result;
 use flate2::{Compression, GzBuilder};
 use fs_err as fs;

@@ -1,8 +1,7 @@
 //! `cargo xtask python`: the files that the Python package carries beside its own.
 
-use crate::build::{self, Kind};
-use crate::workspace::Workspace;
-use crate::{files, notices};
+use crate::workspace::{Kind, Workspace};
+use crate::{build, files, notices};
 use anyhow::Result;
 use fs_err as fs;
 

@@ -1,9 +1,8 @@
 //! `cargo xtask serve`: build quickly, then serve on this machine; with `--watch`, build again after each change.
 
-use crate::build::{self, Kind};
-use crate::files;
 use crate::server::{Gate, Server, Version};
-use crate::workspace::Workspace;
+use crate::workspace::{Kind, Workspace};
+use crate::{build, files};
 use anyhow::{Context, Result};
 use std::net::TcpListener;
 use std::thread;

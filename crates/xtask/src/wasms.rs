@@ -1,8 +1,7 @@
 //! The wasms of the site: each has a crate, generated JavaScript, and a worker that runs it.
 
-use crate::build::Kind;
 use crate::esbuild::Esbuild;
-use crate::workspace::Workspace;
+use crate::workspace::{Kind, Workspace};
 use crate::{bindgen, files, split, tools};
 use anyhow::Result;
 use fs_err as fs;
@@ -29,6 +28,9 @@ pub(crate) const WASMS: [Wasm; 2] = [
 
 /// The tools.
 pub(crate) const TOOLS: &Wasm = &WASMS[1];
+
+/// Wasms of some tools, for pages in single files, and their workers.
+pub(crate) const ALONE: [&str; 2] = ["course", "film"];
 
 /// The boundary crates.
 pub(crate) const PACKAGES: [&str; 2] = [WASMS[0].package, WASMS[1].package];
@@ -134,7 +136,7 @@ pub(crate) fn write(workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: 
     let generated = generated(workspace);
     let glue = fs::read_to_string(generated.join("lsystem.js"))?;
     files::write(&site.join("core.js"), esbuild.minified("glue.js", &glue)?)?;
-    split::ALONE.iter().try_for_each(|tool| {
+    ALONE.iter().try_for_each(|tool| {
         let (script, worker) = (site.join(format!("{tool}.js")), format!("worker/{tool}.js"));
         TOOLS.write_script(esbuild, &generated, &script, &worker)
     })

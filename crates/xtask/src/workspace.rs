@@ -25,6 +25,25 @@ pub(crate) struct Workspace {
     pub(crate) spent: Spent,
 }
 
+/// How the wasm is compiled.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// As it is published: smallest and fastest.
+    Shipped,
+    /// In a fifth of the time, for work on the page: larger and slower.
+    Draft,
+}
+
+impl Kind {
+    /// The folder of the built site.
+    pub(crate) fn folder(self, workspace: &Workspace) -> PathBuf {
+        match self {
+            Self::Shipped => workspace.root.join("dist"),
+            Self::Draft => workspace.target.join("site"),
+        }
+    }
+}
+
 impl Workspace {
     /// Finds the folders. Cargo knows the target folder, which can be configured in many ways.
     pub(crate) fn find() -> Result<Self> {

@@ -222,3 +222,28 @@ pub(crate) enum FilmFormat {
     /// Raw pixels, four bytes each, on standard output
     Rgba,
 }
+
+/// The known properties of a system whose rules are searched.
+#[derive(Args, Clone, Debug, PartialEq)]
+pub(crate) struct Known {
+    #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
+    pub(crate) axiom: Option<String>,
+    /// Derivation steps, 1 to 30
+    #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
+    pub(crate) iterations: Option<u32>,
+    /// Symbols without rules, for strings
+    #[arg(long, default_value = "+-[]", allow_hyphen_values = true)]
+    pub(crate) constants: String,
+    /// Degrees of a turn, for pictures
+    #[arg(long, value_name = "DEGREES")]
+    pub(crate) angle: Option<f64>,
+    /// First heading in degrees, counter-clockwise from the right, for pictures
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    pub(crate) heading: Option<f64>,
+    /// Letters that draw, for pictures
+    #[arg(long, value_name = "LETTERS")]
+    pub(crate) draws: Option<String>,
+    /// Seconds to search [default: counted work, equal on every machine]
+    #[arg(long, value_name = "S")]
+    pub(crate) seconds: Option<u32>,
+}

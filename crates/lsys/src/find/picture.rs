@@ -1,7 +1,8 @@
 //! The rules of a picture, searched with all cores.
 
 use super::pixels::grey;
-use super::{Answer, Known, MAX_LISTED, gallery, is_over};
+use super::{Answer, MAX_LISTED, gallery, is_over};
+use crate::cli::Known;
 use crate::{CommandFailure, cores, print, say};
 use lsystem::base::counted;
 use lsystem::base::words;

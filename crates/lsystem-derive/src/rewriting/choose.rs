@@ -2,7 +2,7 @@
 
 use super::context::{ContextSearch, Neighbours};
 use super::modules::{Chance, Modules};
-use super::step::RewritePlan;
+use super::plan::RewritePlan;
 use crate::rules::Rule;
 
 /// Reused memory.

@@ -9,6 +9,7 @@ mod context;
 mod history;
 mod image;
 mod modules;
+mod plan;
 mod room;
 mod step;
 mod table;

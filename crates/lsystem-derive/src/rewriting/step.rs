@@ -5,15 +5,15 @@ mod cut;
 
 use super::choices::Choices;
 use super::choose::Scratch;
-use super::context::{ContextRole, Neighbours, roles};
+use super::context::{ContextRole, Neighbours};
 use super::modules::{Modules, NotFinite};
+use super::plan::RewritePlan;
 use super::room::held;
-use super::table::{Sides, Table};
+use super::table::Sides;
 use crate::asking::{Asking, AskingSlot};
-use crate::rules::{Rule, Rules};
+use crate::rules::Rules;
 use core::ops::Range;
 use lsystem_base::{LimitName, Limits, Meter};
-use lsystem_syntax::Code;
 use std::sync::Arc;
 
 /// The reason why a derivation stops.
@@ -54,30 +54,6 @@ struct Record {
     kept: Vec<Range<usize>>,
     /// The index of the first range not fully recorded, and the number of modules in the ranges before it.
     run: (usize, usize),
-}
-
-/// Data that stays the same from step to step.
-#[derive(Clone, Debug)]
-pub(super) struct RewritePlan {
-    pub(super) rules: Arc<Rules>,
-    pub(super) roles: Vec<ContextRole>,
-    /// By letter: the number of arguments.
-    pub(super) arities: Vec<u8>,
-    /// By letter: whether it has no production.
-    inert: Vec<bool>,
-    pub(super) seed: u32,
-    pub(super) limits: Limits,
-    /// By production: the units of work to make its successor.
-    pub(super) costs: Vec<u64>,
-    pub(super) random: bool,
-    /// By letter: whether it draws; empty if ages are not kept.
-    draws: Vec<bool>,
-    /// The step whose modules grow, and the part that has grown.
-    growing: Option<(u32, f64)>,
-    contexts: bool,
-    cutting: bool,
-    /// The look-up table by three letters, if the rules allow it.
-    table: Option<Table>,
 }
 
 /// The progress of a step.
@@ -125,26 +101,9 @@ impl Rewriter {
     /// # Errors
     /// If an argument of the axiom is not finite.
     pub fn new(rules: Arc<Rules>, seed: u32, limits: Limits) -> Result<Self, Fault> {
-        let random = rules.is_random();
-        let arities: Vec<u8> = rules.letters.iter().map(|letter| letter.arity).collect();
+        let plan = RewritePlan::new(rules, seed, limits);
         let mut word = Modules::default();
-        word.start(&rules.axiom, &arities, seed, random).map_err(|NotFinite| Fault::NotFinite(None))?;
-        let roles = roles(&rules);
-        let plan = RewritePlan {
-            contexts: rules.by_letter.iter().flatten().any(Rule::is_context_sensitive),
-            table: if rules.is_parametric() || random { None } else { Table::new(&rules, &roles) },
-            inert: rules.by_letter.iter().map(Vec::is_empty).collect(),
-            cutting: rules.is_cutting(),
-            seed,
-            limits,
-            random,
-            costs: costs(&rules),
-            draws: vec![],
-            growing: None,
-            arities,
-            roles,
-            rules,
-        };
+        word.start(&plan.rules.axiom, &plan.arities, seed, plan.random).map_err(|NotFinite| Fault::NotFinite(None))?;
         let mut new = Self {
             plan,
             word,
@@ -463,16 +422,4 @@ fn others(word: &Modules, neighbours: &Neighbours, sides: &Sides, record: Option
 
 fn within(bytes: u64, limits: &Limits) -> Result<(), Fault> {
     if bytes > limits.memory { Err(Fault::Limit(LimitName::Memory)) } else { Ok(()) }
-}
-
-/// By production: the units of work to make its successor once. The longest successor of a text costs at most half of
-/// [`Meter::PIECE`].
-fn costs(rules: &Rules) -> Vec<u64> {
-    let all = || rules.by_letter.iter().chain(&rules.images).flatten();
-    let mut costs = vec![0; all().map(|rule| rule.production + 1).max().unwrap_or(0)];
-    for rule in all() {
-        let computed: u64 = rule.successor.arguments.iter().map(Code::length).sum();
-        costs[rule.production] = rule.successor.letters.len() as u64 / 16 + computed / 8;
-    }
-    costs
 }

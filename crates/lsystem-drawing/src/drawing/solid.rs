@@ -1,6 +1,7 @@
 //! Drawings in space.
 
-use super::{Drawing, body};
+use super::Drawing;
+use super::solid_extent::Extent;
 use crate::Solid;
 
 impl Drawing<Solid> {
@@ -17,7 +18,7 @@ impl Drawing<Solid> {
     }
 
     /// The root's extent in root units.
-    pub fn extent(&self) -> Option<body::Extent> {
+    pub fn extent(&self) -> Option<Extent> {
         self.surveyed()
     }
 }

@@ -1,11 +1,10 @@
 //! Drawings as TikZ pictures: paths in millimetres.
 
 use super::figure::{Figure, coordinates, lengths};
-use crate::formats::Notes;
 use crate::number::Decimals;
 use crate::strokes::{StrokeFile, StrokeLook, VERTEX_WORK, write_marks};
 use crate::svg::warning;
-use crate::{FileOptions, Sink};
+use crate::{FileOptions, Notes, Sink};
 use core::fmt::Write;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Halt, Style, Work};

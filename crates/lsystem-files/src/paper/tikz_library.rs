@@ -6,9 +6,8 @@
 use super::bibtex::slug;
 use super::figure::{Figure, lengths};
 use super::tikz::title;
-use crate::formats::Notes;
 use crate::svg::warning;
-use crate::{FileOptions, Sink};
+use crate::{FileOptions, Notes, Sink};
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::words::said;

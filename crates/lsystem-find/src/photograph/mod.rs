@@ -4,10 +4,10 @@ mod directions;
 mod light;
 mod page;
 
+use crate::brush::PIXELS;
 use crate::parts::drawing;
 use crate::picture::{Picture, threshold};
 use crate::projection::Projection;
-use crate::strokes::PIXELS;
 use light::Grey;
 use lsystem_base::sorted;
 

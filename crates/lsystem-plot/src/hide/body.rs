@@ -1,11 +1,9 @@
 //! What covers lines: tubes and faces, in millimetres of the sheet, and depths that grow towards the viewer.
 
 use super::runs::Part;
+use super::sight::{Place, Sight, dot, minus};
 use super::span::Span;
 use crate::page::Point;
-
-/// A point of the sheet and its depth.
-pub(super) type Place = [f64; 3];
 
 /// The hull of two balls: a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,38 +18,6 @@ pub(super) struct Tube {
 pub(super) struct Facet {
     pub(super) depth: f64,
     pub(super) slope: [f64; 2],
-}
-
-/// A line between two places, with the quantities that every test needs.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sight {
-    pub(super) from: Place,
-    pub(super) way: Place,
-    /// The square of the length on the sheet; above 0 but for tests in space.
-    square: f64,
-    /// The greatest depth.
-    pub(super) top: f64,
-    /// The least depth.
-    pub(super) bottom: f64,
-}
-
-impl Sight {
-    /// The line between two places; `None` if they are one point of the sheet.
-    pub(super) fn new(ends: [Place; 2]) -> Option<Self> {
-        Some(Self::through(ends)).filter(|line| line.square > 0.0)
-    }
-
-    /// The line between two places, for tests in space.
-    pub(super) fn through([from, to]: [Place; 2]) -> Self {
-        let way = minus(to, from);
-        let square = way[0] * way[0] + way[1] * way[1];
-        let [top, bottom] = [from[2].max(to[2]), from[2].min(to[2])];
-        Self { from, way, square, top, bottom }
-    }
-
-    pub(super) fn at(&self, place: f64) -> Place {
-        [0, 1, 2].map(|axis| self.from[axis] + place * self.way[axis])
-    }
 }
 
 impl Tube {
@@ -332,16 +298,4 @@ pub(super) fn winding(vertices: &[Place], [x, y]: Point) -> i32 {
         }
     });
     around.sum()
-}
-
-pub(super) fn minus(a: Place, b: Place) -> Place {
-    [0, 1, 2].map(|axis| a[axis] - b[axis])
-}
-
-pub(super) fn cross(a: Place, b: Place) -> Place {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn dot(a: Place, b: Place) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -1,8 +1,9 @@
 //! Lines that fill tubes and polygons: in the plane a pen's width apart, and in space the farther apart the brighter.
 
-use super::body::{Facet, Place, Tube};
+use super::body::{Facet, Tube};
 use super::outline::Edge;
 use super::scene::{Body, Scene, Shape};
+use super::sight::Place;
 use crate::hatch;
 use lsystem_syntax::{Halt, Work};
 

@@ -1,7 +1,8 @@
 //! A grid over the sheet: the bodies in each cell, and the depth below which the cell is covered.
 
-use super::body::{Place, winding};
+use super::body::winding;
 use super::scene::{Body, Scene, Shape};
+use super::sight::Place;
 use crate::page::Point;
 use lsystem_syntax::{Halt, Work};
 

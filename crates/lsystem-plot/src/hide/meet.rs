@@ -1,8 +1,9 @@
 //! Where two bodies pass through each other: the lines that their surfaces have in common.
 
-use super::body::{Facet, Place, Sight, Tube, cross, dot, minus, stretches};
+use super::body::{Facet, Tube, stretches};
 use super::fill::normal;
 use super::runs::Part;
+use super::sight::{Place, Sight, cross, dot, minus};
 use crate::page::Point;
 use core::f64::consts::PI;
 

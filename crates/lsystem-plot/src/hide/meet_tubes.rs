@@ -3,8 +3,9 @@
 //! The straight lines along the surface of the thinner tube enter the other one and leave it once, because it is convex.
 //! The round ends of the thinner tube are left out.
 
-use super::body::{Place, Sight, Tube, cross, dot, minus};
+use super::body::Tube;
 use super::meet::unit;
+use super::sight::{Place, Sight, cross, dot, minus};
 use super::span::Span;
 use core::f64::consts::PI;
 

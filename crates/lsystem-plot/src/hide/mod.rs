@@ -21,20 +21,16 @@ mod pierce;
 mod points;
 mod runs;
 mod scene;
+mod sight;
 mod span;
 mod specks;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod tests_pierce;
-#[cfg(test)]
-mod tests_touch;
 mod visible;
 
 use crate::options::PlotOptions;
 use crate::page::{Page, Point, distance};
 use crate::pens::Pens;
-use body::{Place, Sight};
 use grid::Grid;
 use lsystem_base::{LimitName, MAX_COMPARISONS};
 use lsystem_drawing::Drawing;
@@ -42,6 +38,7 @@ use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use outline::{EXACT, Edge, outline};
 use pierce::Pierce;
 use scene::{Scene, Shape};
+use sight::{Place, Sight};
 use specks::Lines;
 use visible::{On, Visible};
 

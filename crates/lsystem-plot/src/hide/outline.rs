@@ -1,6 +1,7 @@
 //! The outlines of tubes as lines.
 
-use super::body::{Place, Tube};
+use super::body::Tube;
+use super::sight::Place;
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The most by which a line leaves a round end or the outline of a stroke, in pens.

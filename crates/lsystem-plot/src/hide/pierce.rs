@@ -1,6 +1,5 @@
 //! The lines where bodies pass through each other in space.
 
-use super::body::Place;
 use super::grid::{Grid, are_near};
 use super::meet::{Face, faces, tube_and_face};
 use super::meet_tubes::tubes;
@@ -8,6 +7,7 @@ use super::outline::{EXACT, Edge};
 use super::points::Points;
 use super::runs::Part;
 use super::scene::{Body, Scene, Shape};
+use super::sight::Place;
 use super::visible::On;
 use lsystem_syntax::{Halt, Work};
 

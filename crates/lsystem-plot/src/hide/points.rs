@@ -3,8 +3,8 @@
 //! A branch begins inside the end of its stem: bodies that meet at a point of the path are one shape there, and do not
 //! pass through each other.
 
-use super::body::Place;
 use super::scene::{Body, Scene, Shape};
+use super::sight::Place;
 use crate::cells::Cells;
 use crate::merge::JOINT;
 use lsystem_syntax::{Halt, Work};

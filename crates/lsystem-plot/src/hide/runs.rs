@@ -1,6 +1,6 @@
 //! Runs of vertices with the boxes around them: a line passes by most sides of a polygon with many corners.
 
-use super::body::{Place, Sight};
+use super::sight::{Place, Sight};
 use crate::page::Point;
 
 /// The vertices of a run: of long runs, and of the short ones in them.

@@ -2,9 +2,10 @@
 //!
 //! In the plane the depth is the place in the drawing order, so far apart that every mark is in front of all before.
 
-use super::body::{Facet, Place, Tube};
+use super::body::{Facet, Tube};
 use super::outline::EXACT;
 use super::runs::Runs;
+use super::sight::Place;
 use crate::cells::Cells;
 use crate::merge::JOINT;
 use crate::options::PlotOptions;

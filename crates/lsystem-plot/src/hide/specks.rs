@@ -103,7 +103,7 @@ fn cells(&Piece { layer, ends }: &Piece, side: f64) -> impl Iterator<Item = (u32
 #[cfg(test)]
 mod tests {
     use super::super::tests::Chance;
-    use super::super::tests_touch::away;
+    use super::super::tests::touch::away;
     use super::*;
     use crate::options::PlotOptions;
     use crate::page::Page;

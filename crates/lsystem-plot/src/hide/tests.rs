@@ -1,12 +1,16 @@
 //! Hidden lines against plain geometry.
 
-use super::body::{Facet, Place, Sight, Tube, winding};
+mod pierce;
+pub(super) mod touch;
+
+use super::body::{Facet, Tube, winding};
 use super::fill::fill;
 use super::grid::Grid;
 use super::hidden;
 use super::outline::outline;
 use super::runs::{Part, Runs};
 use super::scene::{Body, Joints, Scene, Shape};
+use super::sight::{Place, Sight};
 use super::span::{Span, rest};
 use super::visible::{On, Visible};
 use crate::options::PlotOptions;

@@ -1,9 +1,9 @@
 //! The visible parts of a line.
 
-use super::body::{Place, Sight};
 use super::grid::{Grid, are_near};
 use super::runs::Part;
 use super::scene::{Scene, Shape};
+use super::sight::{Place, Sight};
 use super::span::{Span, rest};
 use lsystem_syntax::{Halt, Work};
 

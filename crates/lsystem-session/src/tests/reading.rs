@@ -1,7 +1,7 @@
 //! Pages of strings, symbols and marks.
 
 use super::{Bench, definition, random, weed};
-use crate::reading::Direction;
+use crate::facts::Direction;
 use lsystem::{View, Viewport};
 
 #[test]

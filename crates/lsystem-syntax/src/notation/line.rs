@@ -5,6 +5,7 @@ use super::constants::Constants;
 use super::expression;
 use super::production::{self, ProductionLine};
 use super::token::{Token, span_of, text_of, tokens};
+use super::word::is_name;
 use super::{Reading, arrow};
 use crate::grammar::{NamedCurve, NamedShape};
 use crate::notes::{DiagnosticList, excerpt, named};
@@ -373,18 +374,6 @@ fn key(production: &Production, conditional: bool) -> String {
         key.push_str(&condition.to_string());
     }
     key
-}
-
-/// Whether the tokens are a name: a letter or `_`, then letters, digits or `_`, without spaces.
-pub(super) fn is_name(tokens: &[Token]) -> bool {
-    match tokens {
-        [first, rest @ ..] => {
-            !first.literal
-                && expression::is_name_start(first.ch)
-                && rest.iter().all(|t| t.joined && !t.literal && expression::is_name_part(t.ch))
-        }
-        [] => false,
-    }
 }
 
 /// The word before a colon at the start of a line, in lower case, and the number of tokens up to the colon. A `#` may

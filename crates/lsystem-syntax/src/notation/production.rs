@@ -22,6 +22,9 @@ pub(super) struct ProductionLine {
     pub(super) drawing: bool,
 }
 
+/// A wrong expression is noted, and replaced so that the production still has a condition or a weight.
+const PLACEHOLDER: Expr = Expr::Number(1.0);
+
 /// Reads a production into `reading`. A line without a single predecessor is only noted.
 pub(super) fn read(
     line: &ProductionLine,
@@ -62,11 +65,9 @@ pub(super) fn read(
         );
     }
     let mut scope = Scope { parameters, constants };
-    // A wrong expression is noted, and replaced so that the production still has a condition or a weight.
-    let placeholder = || Expr::Number(1.0);
     let condition = condition.filter(|tokens| !is_star(tokens) && has_head).map(|tokens| {
         let read = expression::read(tokens, arrow.start, Role::Condition, &mut scope, notes);
-        let Some(condition) = read else { return placeholder() };
+        let Some(condition) = read else { return PLACEHOLDER };
         if let Ok(Code::Constant(value)) = expression::code(&condition, &mut scope) {
             let holds = value != 0.0;
             notes.warn(
@@ -79,23 +80,7 @@ pub(super) fn read(
     });
     note_misread(successor, *end, notes);
     let successor = word(successor, Role::Argument, &mut scope, notes);
-    let weight = weight.map(|tokens| {
-        let Some(weight) = expression::read(tokens, *end, Role::Weight, &mut scope, notes) else {
-            return placeholder();
-        };
-        match expression::code(&weight, &mut scope) {
-            // Bounded so that the sum of weights stays finite.
-            Ok(Code::Constant(value)) if !(1e-100..=1e100).contains(&value) => {
-                notes.error(
-                    span_of(tokens, *end),
-                    say!("{} cannot be a weight", lsystem_base::number::number(value)),
-                    say!("A weight is a number above zero, from 1e-100 to 1e100."),
-                );
-            }
-            _ => {}
-        }
-        weight
-    });
+    let weight = weight.map(|tokens| read_weight(tokens, *end, &mut scope, notes));
     let Head { left, strict: Some((predecessor, span)), right } = head else { return };
     let (left, left_spans): (Vec<Pattern>, Vec<_>) = left.into_iter().unzip();
     let (right, right_spans): (Vec<Pattern>, Vec<_>) = right.into_iter().unzip();
@@ -108,6 +93,25 @@ pub(super) fn read(
     };
     list.push(production);
     places_list.push(places);
+}
+
+/// Reads the weight of a production.
+fn read_weight(tokens: &[Token], end: usize, scope: &mut Scope<'_>, notes: &mut DiagnosticList) -> Expr {
+    let Some(weight) = expression::read(tokens, end, Role::Weight, scope, notes) else {
+        return PLACEHOLDER;
+    };
+    match expression::code(&weight, scope) {
+        // Bounded so that the sum of weights stays finite.
+        Ok(Code::Constant(value)) if !(1e-100..=1e100).contains(&value) => {
+            notes.error(
+                span_of(tokens, end),
+                say!("{} cannot be a weight", lsystem_base::number::number(value)),
+                say!("A weight is a number above zero, from 1e-100 to 1e100."),
+            );
+        }
+        _ => {}
+    }
+    weight
 }
 
 /// Notes words in a successor that are read as symbols but probably mean something else: a condition after `if`, a

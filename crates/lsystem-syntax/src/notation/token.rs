@@ -2,7 +2,7 @@
 //! characters of cpfg's discs and of queries joined.
 
 use crate::Diagnostic;
-use crate::characters::{is_blank, look_alike};
+use crate::characters::{disc, is_blank, look_alike};
 use crate::notes::DiagnosticList;
 use core::ops::Range;
 use lsystem_base::say;
@@ -99,11 +99,6 @@ pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut DiagnosticList
         joined = true;
     }
     found
-}
-
-/// The symbol for `@` followed by this ASCII character. In cpfg, `@c` and `@o` fill a disc around the turtle.
-pub(crate) fn disc(after: char) -> Option<char> {
-    matches!(after, 'c' | 'o').then_some('●')
 }
 
 /// The symbol for `?` before this text: a letter of a query, then its arguments.

@@ -210,7 +210,7 @@ fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut DiagnosticList)
         .map(|(part, end)| {
             let name: String = part.iter().map(|t| t.ch).collect();
             notes.class(Class::Parameter, span_of(part, end));
-            if !super::line::is_name(part) || expression::is_reserved(&name) {
+            if !is_name(part) || expression::is_reserved(&name) {
                 parameter_name(&text_of(part), span_of(part, end), notes);
             }
             name
@@ -255,4 +255,16 @@ fn stray_arrow(tokens: &[Token]) -> Option<Range<usize>> {
         at += length;
     }
     None
+}
+
+/// Whether the tokens are a name: a letter or `_`, then letters, digits or `_`, without spaces.
+pub(super) fn is_name(tokens: &[Token]) -> bool {
+    match tokens {
+        [first, rest @ ..] => {
+            !first.literal
+                && expression::is_name_start(first.ch)
+                && rest.iter().all(|t| t.joined && !t.literal && expression::is_name_part(t.ch))
+        }
+        [] => false,
+    }
 }

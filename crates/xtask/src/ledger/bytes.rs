@@ -1,8 +1,7 @@
 //! The bytes of the built site, as a host sends them: compressed by brotli at its highest level, which Node.js has.
 
 use super::Measured;
-use crate::build::Kind;
-use crate::workspace::{Workspace, output};
+use crate::workspace::{Kind, Workspace, output};
 use crate::{files, tools};
 use anyhow::{Context, Result};
 use fs_err as fs;

@@ -5,8 +5,7 @@
 
 use super::linked::Linked;
 use super::{EMPTY, FIRST, Plan, divide, functions, runs};
-use crate::build::Kind;
-use crate::workspace::{Workspace, output};
+use crate::workspace::{Kind, Workspace, output};
 use crate::{files, tools, wasms};
 use anyhow::Result;
 use fs_err as fs;
@@ -35,7 +34,7 @@ pub(crate) fn split_core(workspace: &Workspace, kind: Kind, site: &Path) -> Resu
         fs::write(&watched, watch(&wasm)?)?;
         let numbers = output(Command::new(tools::node()?).args([&script, &worker, &watched, &gallery]))?;
         let called: BTreeSet<usize> = numbers.lines().map(str::parse).collect::<Result<_, _>>()?;
-        let parts = divide(&wasm, &plan(&Module::from_buffer(&wasm)?, &Linked::read(&fs::read(&linked)?)?, &called))?;
+        let parts = divide(&wasm, &plan(&Module::from_buffer(&wasm)?, &Linked::read(&fs::read(&linked)?)?, &called)?)?;
         [first.clone(), rest.clone()].iter().zip(parts).try_for_each(|(file, part)| fs::write(file, part))?;
         Ok(())
     })?;
@@ -57,7 +56,7 @@ fn watch(wasm: &[u8]) -> Result<Vec<u8>> {
 }
 
 /// `called` has the numbers of the functions of the first part.
-fn plan(module: &Module, linked: &Linked, called: &BTreeSet<usize>) -> Plan {
+fn plan(module: &Module, linked: &Linked, called: &BTreeSet<usize>) -> Result<Plan> {
     let is_local = |id| matches!(module.funcs.get(id).kind, FunctionKind::Local(_));
     let parts: Vec<_> = (functions(module).into_iter().enumerate())
         .map(|(number, id)| match is_local(id) && !called.contains(&number) && module.start != Some(id) {
@@ -65,9 +64,11 @@ fn plan(module: &Module, linked: &Linked, called: &BTreeSet<usize>) -> Plan {
             false => FIRST,
         })
         .collect();
+    let mut open: Vec<usize> = vec![];
     let early = module.funcs.iter().zip(&parts).filter(|(_, parts)| **parts == FIRST);
-    let named = early.filter_map(|(function, _)| linked.functions.get(function.name.as_ref()?));
-    let mut open: Vec<usize> = named.flat_map(|references| &references.data).copied().collect();
+    for (function, _) in early.filter(|(function, _)| is_local(function.id())) {
+        open.extend(linked.of(function)?.into_iter().flat_map(|references| &references.data));
+    }
     let mut data = vec![FIRST << 1; linked.data.len()];
     while let Some(datum) = open.pop() {
         if data[datum] != FIRST {
@@ -78,7 +79,7 @@ fn plan(module: &Module, linked: &Linked, called: &BTreeSet<usize>) -> Plan {
     // The first part has what both use, and the gaps between constants.
     let of = |parts: &u32| if *parts == FIRST << 1 { FIRST << 1 } else { FIRST };
     let constants = runs(linked.constants.start, linked.constants_of(&data).iter().map(of));
-    Plan { parts: 2, functions: parts, constants }
+    Ok(Plan { parts: 2, functions: parts, constants })
 }
 
 #[cfg(test)]

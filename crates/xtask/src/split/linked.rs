@@ -32,7 +32,7 @@ pub(super) struct Datum {
 #[derive(Default)]
 pub(super) struct Linked {
     /// All functions by their names. Functions of one name share their references.
-    pub(super) functions: BTreeMap<String, References>,
+    functions: BTreeMap<String, References>,
     pub(super) data: Vec<Datum>,
     /// The addresses of the constants: the linker writes them first.
     pub(super) constants: Range<u32>,
@@ -59,6 +59,16 @@ struct Sections<'a> {
 }
 
 impl Linked {
+    /// What a function refers to; nothing for what wasm-bindgen has made. A function that neither of them made is an error,
+    /// because its part might lack what it needs.
+    pub(super) fn of(&self, function: &walrus::Function) -> Result<Option<&References>> {
+        let name = function.name.as_ref().context("a function without a name")?;
+        let references = self.functions.get(name);
+        let is_made = name.ends_with(" shim") || name.starts_with("__wbindgen_");
+        ensure!(references.is_some() || is_made, "neither the linker nor wasm-bindgen makes a function {name}");
+        Ok(references)
+    }
+
     /// Reads the graph of a wasm that the linker has written.
     pub(super) fn read(wasm: &[u8]) -> Result<Self> {
         let sections = Sections::read(wasm)?;

@@ -11,7 +11,7 @@ mod tools;
 
 pub(crate) use core::{REST, split_core};
 pub(crate) use linked::EMIT;
-pub(crate) use tools::{ALONE, split_tools};
+pub(crate) use tools::split_tools;
 
 use crate::files;
 use anyhow::{Context, Result, bail};

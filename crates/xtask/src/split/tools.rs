@@ -7,9 +7,9 @@
 
 use super::linked::{self, Linked};
 use super::{EMPTY, FIRST, Named, Parts, Plan, divide, filled, functions, runs, table_of};
-use crate::build::Kind;
-use crate::workspace::Workspace;
-use crate::{files, wasms};
+use crate::files;
+use crate::wasms::{self, ALONE};
+use crate::workspace::{Kind, Workspace};
 use anyhow::{Context, Result, bail, ensure};
 use fs_err as fs;
 use std::cmp::Reverse;
@@ -20,9 +20,6 @@ use walrus::{ExportItem, FunctionId, FunctionKind, Module};
 
 /// The wasms of some tools, `NAME.wasm`, for pages in single files.
 const OF_TOOLS: [(&str, &[&str]); 2] = [(ALONE[0], &["course", "study"]), (ALONE[1], &["film"])];
-
-/// The names of these wasms, and of their workers.
-pub(crate) const ALONE: [&str; 2] = ["course", "film"];
 
 /// A set of tools: a bit for each.
 type Tools = u32;
@@ -148,11 +145,7 @@ impl Needs {
             let FunctionKind::Local(local) = &function.kind else { continue };
             let mut named = Named(BTreeSet::new());
             dfs_in_order(&mut named, local, local.entry_block());
-            let name = function.name.as_ref().context("a function without a name")?;
-            let references = linked.functions.get(name);
-            let is_made = name.ends_with(" shim") || name.starts_with("__wbindgen_");
-            ensure!(references.is_some() || is_made, "neither the linker nor wasm-bindgen makes a function {name}");
-            let pointed = references.map(edges).unwrap_or_default();
+            let pointed = linked.of(function)?.map(edges).unwrap_or_default();
             known.insert(number, named.0.iter().map(|id| numbers[id]).chain(pointed).collect());
         }
         known.extend(linked.data.iter().zip(ids.len()..).map(|(datum, node)| (node, edges(&datum.references))));

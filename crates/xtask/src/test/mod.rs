@@ -8,10 +8,9 @@ mod passed;
 mod quick;
 mod wasm;
 
-use crate::build::{self, Kind};
 use crate::report::Report;
-use crate::workspace::Workspace;
-use crate::{fuzz, ledger, lint, monkey, outside, package, page, tools};
+use crate::workspace::{Kind, Workspace};
+use crate::{build, fuzz, ledger, lint, monkey, outside, package, page, tools};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use native::Built;

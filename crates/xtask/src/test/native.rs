@@ -211,3 +211,24 @@ pub(super) fn examples(workspace: &Workspace, passed: &Passed, report: &Report) 
     passed
         .once(report, name, &print, || workspace.run(&mut workspace.cargo(["test", "--doc"].into_iter().chain(CRATES))))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// Dependencies of tests may ask for more features of a crate. Then the programs alone and the programs beside tests
+    /// differ, and Cargo compiles all that is above this crate twice (`crates/test-effort/Cargo.toml`).
+    #[test]
+    fn tests_change_no_features() -> Result<()> {
+        let workspace = Workspace::find()?;
+        let features = |edges| {
+            let words = ["tree", "--prefix=none", "--format={p} {f}", edges].into_iter().chain(CRATES);
+            let tree = output(&mut workspace.cargo(words))?;
+            Ok::<BTreeSet<String>, anyhow::Error>(tree.lines().map(|line| line.replace(" (*)", "")).collect())
+        };
+        let (alone, tests) = (features("--edges=normal,build")?, features("--edges=normal,build,dev")?);
+        assert_eq!(alone.difference(&tests).collect::<Vec<_>>(), [""; 0]);
+        Ok(())
+    }
+}

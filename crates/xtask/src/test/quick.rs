@@ -7,10 +7,9 @@
 
 use super::native;
 use super::passed::{Passed, fingerprint};
-use crate::build::{self, Kind};
 use crate::report::Report;
-use crate::workspace::Workspace;
-use crate::{lint, page, wasms};
+use crate::workspace::{Kind, Workspace};
+use crate::{build, lint, page, wasms};
 use anyhow::{Context, Result};
 use std::path::{Path, PathBuf};
 

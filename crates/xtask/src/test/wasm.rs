@@ -10,6 +10,7 @@ use crate::{files, tools};
 use anyhow::Result;
 use fs_err as fs;
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
@@ -23,7 +24,7 @@ fn digests(workspace: &Workspace) -> PathBuf {
 
 /// Compiles the tests, with the native digests of the last run if there are any. Returns each program with the folder of
 /// its crate.
-pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
+pub(super) fn build(workspace: &Workspace) -> Result<BTreeSet<(PathBuf, PathBuf)>> {
     tools::wasm_target()?;
     // `--tests` leaves out examples in the documentation, which run natively. The libraries are those of the npm package.
     let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
@@ -39,7 +40,8 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
         let manifest = PathBuf::from(message["manifest_path"].as_str()?);
         is_test.then_some((message["executable"].as_str()?.into(), manifest.parent()?.to_owned()))
     };
-    Ok(messages.lines().filter_map(program).collect())
+    // In a fixed order: Cargo tells them in another one after it has compiled them.
+    Ok(BTreeSet::from_iter(messages.lines().filter_map(program)))
 }
 
 /// Runs the tests that have not passed as they are.

@@ -5,10 +5,9 @@ mod packed;
 
 use super::figure::Figure;
 use crate::compact::{Compact, SymbolFile, is_shareable};
-use crate::formats::Notes;
 use crate::strokes::write_marks;
 use crate::svg::warning;
-use crate::{FileOptions, Sink};
+use crate::{FileOptions, Notes, Sink};
 use canvas::{About, Canvas, PageLayout};
 use lsystem_drawing::Drawing;
 use lsystem_plot::INCH;

@@ -1,6 +1,6 @@
 //! Moves that are drawn between visible lines, against the ink of these lines.
 
-use super::outline::EXACT;
+use super::super::outline::EXACT;
 use crate::ink::ink;
 use crate::join::join;
 use crate::merge::Piece;
@@ -12,7 +12,7 @@ use lsystem_drawing::{System, draw};
 use lsystem_syntax::Definition;
 
 /// The distance of a point from the nearest piece of a layer.
-pub(super) fn away(pieces: &[Piece], layer: u32, point: Point) -> f64 {
+pub(in crate::hide) fn away(pieces: &[Piece], layer: u32, point: Point) -> f64 {
     let far = |piece: &Piece| {
         let [from, to] = piece.ends;
         let (way, own) = ([to[0] - from[0], to[1] - from[1]], [point[0] - from[0], point[1] - from[1]]);

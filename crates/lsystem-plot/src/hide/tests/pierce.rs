@@ -1,15 +1,16 @@
 //! Lines where bodies pass through each other, against samples of their surfaces.
 
-use super::body::{Facet, Place, Sight, Tube, cross, winding};
-use super::grid::Grid;
-use super::meet::{Face, faces, tube_and_face};
-use super::meet_tubes::tubes;
-use super::pierce::Pierce;
-use super::points::Points;
-use super::runs::{Part, Runs};
-use super::scene::Scene;
-use super::tests::{Chance, scene, tube};
-use super::visible::{On, Visible};
+use super::super::body::{Facet, Tube, winding};
+use super::super::grid::Grid;
+use super::super::meet::{Face, faces, tube_and_face};
+use super::super::meet_tubes::tubes;
+use super::super::pierce::Pierce;
+use super::super::points::Points;
+use super::super::runs::{Part, Runs};
+use super::super::scene::Scene;
+use super::super::sight::{Place, Sight, cross};
+use super::super::visible::{On, Visible};
+use super::{Chance, scene, tube};
 use crate::options::PlotOptions;
 use crate::page::Page;
 use crate::pens::Pens;
