@@ -21,8 +21,9 @@ pub(super) fn is_supported(definition: &Definition, system: &System) -> bool {
     let others_cut = overrides.contains("cut") || overrides.contains('%') || !abop;
     !(others_cut && (overrides.contains("cut") || system.rules.letters.iter().any(|letter| letter.symbol == '%')))
         && (!images || abop && overrides.is_empty())
-        // The reference has no turtle.
+        // The reference has no turtle and no shapes.
         && !system.rules.asks()
+        && system.grammar.shapes.is_empty()
 }
 
 /// The words of the generations up to `n` by the naive reference, until a word is too long or a number is not finite.

@@ -163,8 +163,6 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() * pull(tropism.vector) > 1.0);
     let varies = varies || swings || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
     words.len() as u64 == u64::from(n) + 1
-        // The reference has no shapes.
-        && turtle.wires.is_empty()
         && words.last().is_some_and(arguments)
         && numbers.into_iter().chain(more).chain(definition.tropism).all(usual)
         && is_supported(definition, system)

@@ -3,7 +3,7 @@
 //! All of it follows from two depth pictures of the whole drawing, one from the eye and one from the sun. They are made
 //! before the picture, with a fixed budget, and do not depend on the pane. So panes have the light of the whole picture.
 
-use super::camera::{Camera, Lens};
+use super::camera::Lens;
 use super::ground::Ground;
 use super::lanes::{LANES, Lanes};
 use super::light::Light;
@@ -58,8 +58,9 @@ const STRIDE: usize = 8;
 /// The depth pictures for the light, and what follows from them.
 #[derive(Default)]
 pub(super) struct Lighting {
-    /// The picture whose light is made, or ready.
-    made: Option<(Style, Viewport, Camera)>,
+    /// The style of the picture whose light is made, or ready, and what its light depends on: its lens and the least width
+    /// of its strokes.
+    made: Option<(Style, (Lens, f64))>,
     stage: Stage,
     walk: Picture,
     /// The settings of the depth picture from the sun.
@@ -123,15 +124,17 @@ impl Lighting {
 
     /// Starts the light of a picture, unless it is made already.
     pub(super) fn begin(&mut self, drawing: &Drawing<Solid>, plan: &Plan) {
-        let Plan { style, viewport, camera, .. } = plan;
-        let viewport = *viewport;
-        let made = Some((style.clone(), viewport, *camera));
-        if self.made == made {
+        let &Plan { ref style, viewport, ref camera, .. } = plan;
+        let samples = LANES as f64;
+        let eye = Lens::new(drawing, viewport, camera, samples);
+        // The plan's own numbers may be NaN, which equals nothing: then each pane would make the light anew.
+        let key = (eye, viewport.least_width(style));
+        let is_made = self.made.as_ref().is_some_and(|(_, made)| *made == key);
+        self.made = Some((style.clone(), key));
+        if is_made {
             return;
         }
-        self.made = made;
         self.stage = Stage::Eye;
-        let samples = LANES as f64;
         let [width, height] = [viewport.width, viewport.height].map(f64::from);
         let cell = Self::cell(viewport);
         let size = Self::size(viewport);
@@ -139,7 +142,6 @@ impl Lighting {
         self.occlusion.begin(size, 1.0 / (cell * samples), lens.nearness);
         let from_eye = (lens, size, 1.0 / cell, 1.0);
 
-        let eye = Lens::new(drawing, viewport, camera, samples);
         (self.nearness, self.middle) = (eye.nearness as f32, eye.middle.map(|c| c as f32));
         let lens = self.sun.begin(&eye, [width * samples, height * samples], samples);
         let scale = samples * lens.radius / eye.radius;

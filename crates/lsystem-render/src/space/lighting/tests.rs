@@ -1,6 +1,7 @@
 use super::super::light::LIGHT;
 use super::super::tests::{SIZE, bush, drawing, picture, system, tree};
 use super::*;
+use crate::Camera;
 use lsystem_drawing::rotation::{Vector, cross, dot, minus, norm};
 use lsystem_syntax::Dialect;
 use std::sync::Arc;
@@ -16,6 +17,20 @@ fn light(drawing: &Arc<Drawing<Solid>>, viewport: Viewport, camera: Camera) -> L
     lighting.begin(drawing, &Plan { style, viewport, camera, quality: Quality::FINEST, dim: [1.0; 3], pane: None });
     assert_eq!(lighting.step(&scene, &mut meter), Progress::Done);
     lighting
+}
+
+/// The light is made once for all panes, whatever the camera says.
+#[test]
+fn panes_share_the_light_of_any_camera() {
+    let drawing = drawing(&bush(), 4);
+    for elevation in [12.0, f64::NAN, f64::INFINITY] {
+        let camera = Camera { elevation, distance: f64::NAN, ..Camera::default() };
+        let mut lighting = light(&drawing, SIZE, camera);
+        let style = Style { hue: f64::NAN, ..Style::default() };
+        let (viewport, quality) = (SIZE, Quality::FINEST);
+        lighting.begin(&drawing, &Plan { style, viewport, camera, quality, dim: [1.0; 3], pane: None });
+        assert_eq!(lighting.stage, Stage::Ready);
+    }
 }
 
 /// The ends of all sticks as the lens sees them before perspective, and their radius.
