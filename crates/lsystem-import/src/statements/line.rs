@@ -73,7 +73,8 @@ pub(super) fn label_at(text: &str, before: char) -> Option<(usize, Key, String, 
         let lower = word.to_lowercase();
         let fits = match key {
             Key::Axiom => {
-                let first = rest.split_whitespace().next().unwrap_or_default();
+                let near = &rest[..rest.floor_char_boundary(LONGEST)];
+                let first = near.split_whitespace().next().unwrap_or_default();
                 lower.contains("axiom")
                     && !first.is_empty()
                     && !rows(first).has(Key::Filler)
