@@ -5,6 +5,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, Output, Stdio};
+use std::thread::ScopedJoinHandle;
 use tempfile::TempDir;
 
 const PLANT: &str =
@@ -545,15 +546,20 @@ fn what_an_editor_saves_is_never_replaced_unseen() {
     let (file, programs) = two();
     let new = programs[0].path("new");
     std::thread::scope(|scope| {
-        for tab in programs.iter().cycle().take(4) {
-            scope.spawn(|| (0..rounds()).for_each(|_| _ = count(tab)));
-        }
+        let tabs = programs.iter().cycle().take(4);
+        let tabs: Vec<_> = tabs.map(|tab| scope.spawn(|| (0..rounds()).for_each(|_| _ = count(tab)))).collect();
         let mut former = "\"p\"".to_owned();
         for number in 0..10 * rounds() {
-            // While a program finds that it may not save, the file has its old name for an instant.
-            let read = || fs::read_to_string(&file).unwrap();
-            let text = (0..1000).map(|_| read()).find(|text| text.contains(&former));
-            let text = text.unwrap_or_else(|| panic!("{former} is gone: {}", read()));
+            // A program that finds that it may not save may rest before it puts the editor's file back. After the last
+            // answer it is there.
+            let text = loop {
+                let are_done = tabs.iter().all(ScopedJoinHandle::is_finished);
+                let text = fs::read_to_string(&file).unwrap();
+                if text.contains(&former) {
+                    break text;
+                }
+                assert!(!are_done, "{former} is gone: {text}");
+            };
             let next = format!("\"{number}\"");
             fs::write(&new, text.replace(&former, &next)).unwrap();
             fs::rename(&new, &file).unwrap();
