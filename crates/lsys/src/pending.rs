@@ -14,6 +14,9 @@ use std::time::Duration;
 
 /// The beginning of the names of scratch folders.
 const PREFIX: &str = ".lsys-";
+/// How long a program waits for another one, and how often.
+const PAUSE: Duration = Duration::from_millis(10);
+const TRIES: u32 = 500;
 /// The file of a scratch folder that its program keeps locked, and its text. All other files have numbers as names.
 const LOCK: &str = "lock";
 const MARK: &[u8] = b"Temporary files of lsys, which removes them by itself.\n";
@@ -113,16 +116,21 @@ impl Pending {
             };
         }
         let _all = scratch();
-        let own = fs::metadata(&self.temporary)?;
+        // Nobody takes a turn at the own file before it is known whether it stays: what others made of it could not be
+        // told from the file that must come back.
+        let own = File::open(&self.temporary)?;
+        let _ = if cfg!(unix) { own.try_lock() } else { Ok(()) };
+        let own_file = own.metadata()?;
         match exchange(&self.temporary, &self.path) {
             Ok(()) if is_known(&self.temporary) => Ok(true),
             Ok(()) => {
-                // Back again, until the own file comes out: others may go on.
-                for _ in 0..10 {
+                // Back again, until the own file comes out: others may go on, or rest in the midst of the same.
+                for _ in 0..TRIES {
                     exchange(&self.temporary, &self.path)?;
-                    if is_same(&fs::metadata(&self.temporary)?, &own) {
+                    if is_same(&fs::metadata(&self.temporary)?, &own_file) {
                         break;
                     }
+                    std::thread::sleep(PAUSE);
                 }
                 Ok(false)
             }
@@ -196,8 +204,6 @@ pub(crate) struct Turn(#[expect(dead_code, reason = "the lock ends with it")] Op
 
 impl Turn {
     pub(crate) fn at(path: &Path) -> Self {
-        const PAUSE: Duration = Duration::from_millis(10);
-        const TRIES: u32 = 500;
         for _ in 0..if cfg!(unix) { TRIES } else { 0 } {
             let Ok(file) = File::open(path).and_then(|file| Ok((file.metadata()?, file))) else { break };
             match file.1.try_lock() {
