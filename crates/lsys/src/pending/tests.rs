@@ -44,3 +44,27 @@ fn a_new_file_replaces_none() {
     pending(b"3").commit().unwrap();
     assert_eq!(fs::read(&path).unwrap(), b"3");
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn nobody_takes_a_turn_at_a_file_that_goes_back() {
+    let root = tempfile::tempdir().unwrap();
+    let [path, new] = ["a", "new"].map(|name| root.path().join(name));
+    fs::write(&path, "old").unwrap();
+    let pending = Pending::write(&path, |out| out.write_all(b"own")).unwrap();
+    let looks = std::cell::Cell::new(0);
+    let is_known = |file: &Path| {
+        looks.set(looks.get() + 1);
+        if looks.get() == 1 {
+            // An editor saves in the instant after this look.
+            fs::write(&new, "edited").unwrap();
+            fs::rename(&new, &path).unwrap();
+            return true;
+        }
+        assert_eq!(fs::read(&path).unwrap(), b"own");
+        assert!(matches!(File::open(&path).unwrap().try_lock(), Err(TryLockError::WouldBlock)));
+        fs::read(file).unwrap() == b"old"
+    };
+    assert!(!pending.replace(is_known).unwrap());
+    assert_eq!((fs::read(&path).unwrap(), looks.get()), (b"edited".to_vec(), 2));
+}
