@@ -167,8 +167,11 @@ impl Tracer<'_> {
         self.left > 0 && self.shape.distance(at).abs() <= 1e-7 * self.reach
     }
 
-    /// Adds a stroke, or goes on with the last one if it is straight.
+    /// Adds a stroke, or goes on with the last one if it is straight. Curves of solids beyond the range of numbers have none.
     fn stroke(&mut self, [from, to]: [Point; 2]) {
+        if ![from, to].as_flattened().iter().all(|value| value.is_finite()) {
+            return;
+        }
         if let Some([start, end]) = self.wires.last_mut()
             && *end == from
         {
@@ -335,6 +338,20 @@ mod tests {
         "mesh(0,0,0, 0,4,0, 4,0,0, 0,0,0, 4,0,0, 0,0,4, 0,0,0, 0,0,4, 0,4,0, 4,0,0, 0,4,0, 0,0,4) - half(1, 1, 1, 1, 0, 0)",
         "ball(0, 0, 0, 3) + ball(2, 1, 1, 3)",
     ];
+
+    #[test]
+    fn wires_are_numbers() {
+        let outline = "(outline(0, 1e-9, 3.5, 3.5, 3.5, 3.5) & half(1e300, 1e-9, 1e300, 1e300, 3.5, 10))";
+        for text in [
+            &format!("{outline} - half(3.5, 1e300, 1e300, -2, -2, 1e-9)"),
+            "ball(0, 0, 0, 1) & half(0, 0, 0, 1e300, 1, 1e300)",
+        ] {
+            for is_solid in [false, true] {
+                let wires = wires(&shape(text).shape, is_solid);
+                assert!(wires.iter().flatten().flatten().all(|value| value.is_finite()), "{text}: {wires:?}");
+            }
+        }
+    }
 
     #[test]
     fn wires_lie_on_the_surface() {
