@@ -28,7 +28,7 @@ pub(super) struct Painter {
     pub inks: InkTable,
     /// The picture, then a canvas for each size of tile.
     pub canvases: [Canvas; 1 + tile::SIZES],
-    /// By canvas: how often the canvas has been emptied for a tile.
+    /// By canvas: how often the picture has emptied the canvas for a tile.
     serials: [u64; 1 + tile::SIZES],
     seen: Seen,
     /// Whether blocks may recur.
@@ -49,7 +49,7 @@ impl Painter {
     pub(super) fn begin(&mut self, repeats: bool) {
         self.stats = RenderStats::default();
         self.repeats = repeats;
-        (self.painted, self.extra) = (0, 0);
+        (self.painted, self.extra, self.serials) = (0, 0, Default::default());
         self.seen.clear();
     }
 

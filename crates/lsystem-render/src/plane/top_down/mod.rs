@@ -19,11 +19,12 @@ use lsystem_drawing::{Drawing, Item, Polygon, Stroke};
 use passes::{Passes, sketch};
 use tiling::{Bounds, Tiling};
 
-/// The largest extent of an outline at first, in subsamples: four pixels. The steps before, and those after which that
-/// extent doubles.
-const OUTLINED: (f64, [u64; 2]) = (16.0, [MAX_STEPS, MAX_STEPS / 10]);
+/// The largest extent of an outline at first, in subsamples (four pixels), and the steps before.
+const OUTLINED: (f64, u64) = (16.0, MAX_STEPS);
 /// As [`OUTLINED`], in a sketch: a few milliseconds, because the reader waits a frame for it.
-const SKETCH_OUTLINED: (f64, [u64; 2]) = (4.0, [6_000, 3_000]);
+const SKETCH_OUTLINED: (f64, u64) = (4.0, 6_000);
+/// The steps after which the extent of outlines doubles: a tenth of [`MAX_STEPS`], since larger ones would show as blots.
+const STEPS_TO_DOUBLE: u64 = 100_000;
 /// The part of a length that may be rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -65,7 +66,7 @@ impl TopDown {
     pub(super) fn begin(&mut self, context: &Context<'_>, root: Node, upto: Option<u128>, outlined: f64) {
         let Context { drawing, painter, descent, .. } = context;
         self.covered = 0;
-        self.next_growth = if self.tiling.is_sketch { SKETCH_OUTLINED } else { OUTLINED }.1[0];
+        self.next_growth = if self.tiling.is_sketch { SKETCH_OUTLINED } else { OUTLINED }.1;
         // Tiles that hold outlines of another extent would spoil this picture.
         if self.outlined != outlined {
             self.tiling.clear();
@@ -147,9 +148,9 @@ impl TopDown {
     fn grow_outlined(&mut self, painter: &Painter) {
         let steps = painter.steps();
         if painter.repeats && steps > self.next_growth {
-            let (first, [_, more]) = if self.tiling.is_sketch { SKETCH_OUTLINED } else { OUTLINED };
+            let (first, _) = if self.tiling.is_sketch { SKETCH_OUTLINED } else { OUTLINED };
             self.outlined = (2.0 * self.outlined).max(first);
-            self.next_growth = steps + more;
+            self.next_growth = steps + STEPS_TO_DOUBLE;
         }
     }
 
@@ -181,8 +182,8 @@ impl TopDown {
         }
         self.grow_outlined(context.painter);
         // The outline of a block with room between its strokes would be too dark, so a sketch has none if there is time.
-        let is_full = !self.tiling.is_sketch || f64::from(shape.strokes) >= extent * extent;
-        if extent <= self.outlined && (is_full || context.painter.steps() > MAX_STEPS) {
+        let is_late = !self.tiling.is_sketch || context.painter.steps() > MAX_STEPS;
+        if extent <= self.outlined && (is_late || f64::from(shape.strokes) >= extent * extent) {
             return context.painter.outline(context.drawing, shape, node, 2.0 * radius > extent);
         }
         let mut node = *node;
