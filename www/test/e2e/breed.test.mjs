@@ -66,7 +66,9 @@ test('where chance plays a part, seeds are compared in the same dialog', () =>
             await page.setViewportSize(viewport);
             const head = await page.locator('#breed').evaluate((dialog) => {
                 const { left, right } = dialog.getBoundingClientRect();
-                const parts = [...dialog.querySelectorAll('.dialog-head > *')].map((part) => part.getBoundingClientRect());
+                const parts = [...dialog.querySelectorAll('.dialog-head > *')].map((part) =>
+                    part.getBoundingClientRect(),
+                );
                 return parts.every((part) => part.left >= left && part.right <= right);
             });
             assert.ok(head, `the whole head can be seen at ${viewport.width} x ${viewport.height}`);
