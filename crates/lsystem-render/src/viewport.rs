@@ -55,8 +55,7 @@ pub enum Detail {
     Fine,
     /// One subsample in a pixel: rough edges, in a fraction of the time.
     Coarse,
-    /// As coarse, with strokes and shades up to a pixel off, and soon with outlines of crowded blocks: a picture that is
-    /// shown only until a fine one is there.
+    /// As coarse, with strokes and shades up to a pixel off: a picture that is shown only until a fine one is there.
     Sketch,
 }
 

@@ -46,7 +46,7 @@
 //! detail. Then the picture is made bottom-up, unless the drawing has more than 20,000 parts or 200,000 items in them,
 //! or the pictures of its parts take more than 24 MiB at a time or 400 Mi words in all. Otherwise the picture goes on
 //! top-down with outlines of ever larger blocks: their extent doubles every 100,000 steps, so that every picture ends.
-//! A sketch has outlines of blocks full of strokes after 6,000 steps already. Tiles take at most 21 MiB.
+//! Tiles take at most 21 MiB.
 //!
 //! # Exactness
 //!

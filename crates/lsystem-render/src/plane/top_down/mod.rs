@@ -19,11 +19,9 @@ use lsystem_drawing::{Drawing, Item, Polygon, Stroke};
 use passes::{Passes, sketch};
 use tiling::{Bounds, Tiling};
 
-/// The largest extent of an outline at first, in subsamples (four pixels), and the steps before.
-const OUTLINED: (f64, u64) = (16.0, MAX_STEPS);
-/// As [`OUTLINED`], in a sketch: a few milliseconds, because the reader waits a frame for it.
-const SKETCH_OUTLINED: (f64, u64) = (4.0, 6_000);
-/// The steps after which the extent of outlines doubles: a tenth of [`MAX_STEPS`], since larger ones would show as blots.
+/// The largest extent of an outline at first, in subsamples: four pixels.
+const FIRST_OUTLINED: f64 = 16.0;
+/// The steps after which the extent of outlines doubles: a tenth of [`MAX_STEPS`].
 const STEPS_TO_DOUBLE: u64 = 100_000;
 /// The part of a length that may be rounding.
 const ROUNDING: f64 = 1e-9;
@@ -37,7 +35,6 @@ pub(super) struct Context<'a> {
 }
 
 /// A top-down picture in the making, and the tiles of the pictures before.
-#[derive(Default)]
 pub(super) struct TopDown {
     stack: Vec<Node>,
     /// The state of leaving out the last segments, until that is done.
@@ -50,6 +47,20 @@ pub(super) struct TopDown {
     next_growth: u64,
     /// The number of covered blocks met so far.
     pub covered: u64,
+}
+
+impl Default for TopDown {
+    fn default() -> Self {
+        Self {
+            stack: vec![],
+            cut: None,
+            tiling: Tiling::default(),
+            passes: Passes::default(),
+            outlined: 0.0,
+            next_growth: MAX_STEPS,
+            covered: 0,
+        }
+    }
 }
 
 impl TopDown {
@@ -66,7 +77,7 @@ impl TopDown {
     pub(super) fn begin(&mut self, context: &Context<'_>, root: Node, upto: Option<u128>, outlined: f64) {
         let Context { drawing, painter, descent, .. } = context;
         self.covered = 0;
-        self.next_growth = if self.tiling.is_sketch { SKETCH_OUTLINED } else { OUTLINED }.1;
+        self.next_growth = MAX_STEPS;
         // Tiles that hold outlines of another extent would spoil this picture.
         if self.outlined != outlined {
             self.tiling.clear();
@@ -148,8 +159,7 @@ impl TopDown {
     fn grow_outlined(&mut self, painter: &Painter) {
         let steps = painter.steps();
         if painter.repeats && steps > self.next_growth {
-            let (first, _) = if self.tiling.is_sketch { SKETCH_OUTLINED } else { OUTLINED };
-            self.outlined = (2.0 * self.outlined).max(first);
+            self.outlined = if self.outlined == 0.0 { FIRST_OUTLINED } else { 2.0 * self.outlined };
             self.next_growth = steps + STEPS_TO_DOUBLE;
         }
     }
@@ -181,9 +191,7 @@ impl TopDown {
             return sketch(context, node);
         }
         self.grow_outlined(context.painter);
-        // The outline of a block with room between its strokes would be too dark, so a sketch has none if there is time.
-        let is_late = !self.tiling.is_sketch || context.painter.steps() > MAX_STEPS;
-        if extent <= self.outlined && (is_late || f64::from(shape.strokes) >= extent * extent) {
+        if extent <= self.outlined {
             return context.painter.outline(context.drawing, shape, node, 2.0 * radius > extent);
         }
         let mut node = *node;

@@ -12,8 +12,8 @@ use lsystem_base::Meter;
 pub(in crate::plane) struct Tiling {
     /// Below this number of strokes on the picture, tiles are made only of blocks with many strokes.
     pub simple: u64,
-    /// Whether the picture is a sketch, whose tiles have few places.
-    pub is_sketch: bool,
+    /// Whether tiles have the few places of a sketch.
+    is_sketch: bool,
     tiles: Tiles,
     /// The unfinished tiles, the innermost last.
     unfinished: Vec<UnfinishedTile>,
