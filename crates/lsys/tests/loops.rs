@@ -308,7 +308,9 @@ fn sources(path: &Path) -> Vec<PathBuf> {
         return vec![path.to_owned()];
     }
     let entries = fs::read_dir(path).expect("a folder").map(|entry| entry.expect("readable").path());
-    entries.filter(|path| !OTHERS.iter().any(|name| path.ends_with(name))).flat_map(|path| sources(&path)).collect()
+    let is_source = |path: &PathBuf| path.is_dir() || path.extension().is_some_and(|extension| extension == "rs");
+    let entries = entries.filter(|path| is_source(path) && !OTHERS.iter().any(|name| path.ends_with(name)));
+    entries.flat_map(|path| sources(&path)).collect()
 }
 
 #[test]
