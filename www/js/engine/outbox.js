@@ -163,8 +163,11 @@ function createAhead(impatient) {
         /** @param {number} id */
         add: (id) => expect([...ids, id]),
 
-        /** Leaves no room for other states. @param {number} id */
-        fill: (id) => expect(Array(AHEAD).fill(id)),
+        /** Leaves no room for other states, however long this one takes. @param {number} id */
+        fill(id) {
+            clearTimeout(timer);
+            ids = Array(AHEAD).fill(id);
+        },
 
         /** The states up to an id are drawn or no longer waited for. @param {number} id */
         reach: (id) => expect(ids.filter((each) => each > id)),
