@@ -29,6 +29,7 @@ use core::ops::Range;
 use lsystem_base::say;
 use object::{angle_of, is_of_symbols, is_sure, word_of};
 use rules::Rules;
+use std::collections::HashSet;
 
 /// The most symbols whose branches each system of a text gets.
 const MAX_BRANCHES: usize = 256;
@@ -312,11 +313,8 @@ impl Reader<'_> {
         groups.iter().for_each(|group| rules.all(group));
         // Of several words, the axiom is the only one with a letter that is replaced.
         if words.len() > 1 && !rules.found.is_empty() {
-            let begins = |word: &&Value<'_>| {
-                let text = word.text().unwrap_or_default();
-                rules.found.iter().any(|rule| rule.from.chars().next().is_some_and(|symbol| text.contains(symbol)))
-            };
-            words.retain(begins);
+            let replaced: HashSet<char> = rules.found.iter().filter_map(|rule| rule.from.chars().next()).collect();
+            words.retain(|word| word.text().is_some_and(|text| text.chars().any(|symbol| replaced.contains(&symbol))));
         }
         let [word] = words[..] else { return false };
         if rules.found.is_empty() {

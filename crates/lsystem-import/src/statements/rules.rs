@@ -117,6 +117,8 @@ impl Reader<'_> {
             .filter(|piece| !text[piece.clone()].trim().is_empty())
             .map(|piece| weak(&text[piece.clone()]).map(|weak| (piece, weak)))
             .collect();
+        // The successors stand below: `X:` and `- production: F[+X]`.
+        let is_open = section == Section::Rules && !text.contains('=');
         match found.filter(|found| !found.is_empty()) {
             Some(found) => {
                 for (piece, (from, to)) in found {
@@ -133,8 +135,7 @@ impl Reader<'_> {
                     let is_word = |word: &str| !word.chars().all(|c| c.is_lowercase() || c.is_whitespace());
                     if is_prose(&to) && !is_word(&word) || !is_word(&to) && actions(&to).is_some() {
                         self.meanings(&place);
-                    } else if to.is_empty() && section == Section::Rules && !text.contains('=') {
-                        // The successors stand below: `X:` and `- production: F[+X]`.
+                    } else if to.is_empty() && is_open {
                         self.pending = Some(from);
                         self.cover(&place);
                     } else {
