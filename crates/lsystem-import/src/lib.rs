@@ -163,11 +163,13 @@ struct Reading {
 impl Reading {
     /// Wrappings inside one another are taken off this many times.
     const DEEPEST: usize = 3;
-    /// Short texts may have many wrappings.
-    const MIN_BYTES: usize = 100_000;
+    /// Each wrapping has an inside and a rest, which may be read again. Long texts are read once more only: each byte takes
+    /// its time.
+    const MOST_OFTEN: usize = 2 * Self::DEEPEST;
+    const MAX_BYTES: usize = 100_000;
 
     fn new(text: &str) -> Self {
-        Self { left: (3 * text.len()).max(Self::MIN_BYTES) }
+        Self { left: (Self::MOST_OFTEN * text.len()).min(Self::MAX_BYTES).max(text.len()) }
     }
 
     /// Reads a text: what is inside its wrappings, or else the text itself.
