@@ -130,7 +130,7 @@ const READERS: &[(&str, Reader)] = &[
 /// notation is recognised, and for texts longer than [`MAX_TEXT`].
 #[must_use]
 pub fn import(text: &str) -> Option<Imported> {
-    if text.len() > MAX_TEXT || text.trim().is_empty() {
+    if text.len() > MAX_TEXT {
         return None;
     }
     // Old line ends of one byte become new ones of one byte, so that places stay.

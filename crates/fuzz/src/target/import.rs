@@ -34,8 +34,8 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// The page’s worker is ended after four seconds; without optimisation, readers take at least three times as long.
-const LONG_STEPS: u32 = 12_000 / 8;
+/// The page's worker is ended after four seconds.
+const LONG_STEPS: u32 = 4000 / 8;
 
 /// Texts of up to 1 MiB that repeat a part of a notation, each time with other names: work that grows faster than the
 /// text shows.

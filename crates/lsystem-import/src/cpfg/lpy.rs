@@ -20,13 +20,13 @@ const NOT_RUN: &str = word!("Python code is not run");
 
 pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
-    let has = |names: &[&str]| text.lines().any(|line| keyword(line).is_some_and(|(word, _)| names.contains(&word)));
-    let (axiom, length) = (has(&["axiom"]), has(&["derivation length"]));
+    let keywords: Vec<(&str, &str)> = text.lines().filter_map(keyword).collect();
+    let has = |name: &str| keywords.iter().any(|(word, _)| *word == name);
+    let (axiom, length) = (has("axiom"), has("derivation length"));
     // A rule behind `Production:` is another notation.
-    let production = text.lines().any(|line| {
-        keyword(line).is_some_and(|(word, rest)| word == "production" && (rest.is_empty() || rest.starts_with('#')))
-    });
-    let is_lpy = !has(&["lsystem"])
+    let is_section = |rest: &str| rest.is_empty() || rest.starts_with('#');
+    let production = keywords.iter().any(|(word, rest)| *word == "production" && is_section(rest));
+    let is_lpy = !has("lsystem")
         && (production && (axiom || length) || axiom && length && (text.contains("-->") || only_python(text)));
     is_lpy.then(|| vec![system(source)])
 }

@@ -25,7 +25,9 @@ pub(super) fn keyword(line: &str) -> Option<(&'static str, &str)> {
         Some(at) => (&line[..at], &line[at + 1..]),
         None => (line, &line[line.len()..]),
     };
-    let known = |word: &str| words(Key::Cpfg).iter().copied().find(|known| known.eq_ignore_ascii_case(word.trim()));
+    // Trimmed once, not for each of the known words: every line of a text is looked at.
+    let word = word.trim_end();
+    let known = |word: &str| words(Key::Cpfg).iter().copied().find(|known| known.eq_ignore_ascii_case(word));
     if let Some(word) = known(word) {
         return (is_alone(word) || line.contains(':')).then_some((word, rest.trim()));
     }
