@@ -163,13 +163,13 @@ struct Reading {
 impl Reading {
     /// Wrappings inside one another are taken off this many times.
     const DEEPEST: usize = 3;
-    /// Each wrapping has an inside and a rest, which may be read again. Long texts are read once more only: each byte takes
-    /// its time.
+    /// The inside of a wrapping is read again, and so is what stands around it: each byte twice for each wrapping. Of a long
+    /// text, only the outermost wrappings are sure to be taken off, because all readers look at each byte.
     const MOST_OFTEN: usize = 2 * Self::DEEPEST;
     const MAX_BYTES: usize = 100_000;
 
     fn new(text: &str) -> Self {
-        Self { left: (Self::MOST_OFTEN * text.len()).min(Self::MAX_BYTES).max(text.len()) }
+        Self { left: (Self::MOST_OFTEN * text.len()).min(Self::MAX_BYTES).max(2 * text.len()) }
     }
 
     /// Reads a text: what is inside its wrappings, or else the text itself.
