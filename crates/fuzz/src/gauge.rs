@@ -18,19 +18,19 @@ const TIME: Duration = Duration::from_secs(1);
 
 /// Measures one execution of a target.
 #[derive(Debug)]
-pub struct Gauge {
+pub(crate) struct Gauge {
     /// The bytes in use before the execution.
     before: usize,
     /// The most bytes that the execution may use.
     memory: usize,
     /// The most units of work in one step.
-    work: u64,
+    pub(crate) work: u64,
     /// The units of work of all steps.
-    total: u64,
+    pub(crate) total: u64,
     /// The name and the processor time of the slowest step or call.
-    slowest: (&'static str, Duration),
+    pub(crate) slowest: (&'static str, Duration),
     /// The names of the points that the execution reached.
-    reached: Vec<&'static str>,
+    pub(crate) reached: Vec<&'static str>,
 }
 
 /// The units of work of one step, as in the page.
@@ -61,11 +61,14 @@ impl Gauge {
     pub(crate) fn call<T>(&mut self, name: &'static str, call: impl FnOnce() -> T) -> T {
         let start = thread_time();
         let value = call();
-        let time = thread_time() - start;
+        self.took(name, thread_time() - start);
+        value
+    }
+
+    fn took(&mut self, name: &'static str, time: Duration) {
         if time > self.slowest.1 {
             self.slowest = (name, time);
         }
-        value
     }
 
     /// Records the work of a step, and checks that the step exceeds its share by at most one [`Meter::PIECE`].
@@ -75,14 +78,20 @@ impl Gauge {
         assert!(spent <= share.max(1) + Meter::PIECE, "work: a step of {name} with {share} units spent {spent}");
     }
 
-    /// Runs all steps with this share of work. `step` also returns the units that it has spent.
-    pub(crate) fn steps(&mut self, name: &'static str, share: usize, mut step: impl FnMut() -> (Progress, u64)) {
-        loop {
-            let (progress, spent) = self.call(name, &mut step);
-            self.charge(name, share as u64, spent);
-            if progress == Progress::Done {
-                return;
-            }
+    /// Runs all steps of some work with this share of units. `spent` are the units of all its steps so far.
+    pub(crate) fn steps<T>(
+        &mut self,
+        name: &'static str,
+        share: usize,
+        work: &mut T,
+        mut step: impl FnMut(&mut T, usize) -> Progress,
+        spent: impl Fn(&T) -> u64,
+    ) {
+        let mut progress = Progress::More;
+        while progress == Progress::More {
+            let before = spent(work);
+            progress = self.call(name, || step(work, share));
+            self.charge(name, share as u64, spent(work) - before);
         }
     }
 
@@ -115,32 +124,8 @@ impl Gauge {
         }
     }
 
-    /// The names of the points reached.
-    pub(crate) fn reached(&self) -> &[&'static str] {
-        &self.reached
-    }
-
-    /// The slowest step or call, and its processor time.
-    #[must_use]
-    pub fn slowest(&self) -> (&'static str, Duration) {
-        self.slowest
-    }
-
-    /// The most units of work in one step.
-    #[must_use]
-    pub fn work(&self) -> u64 {
-        self.work
-    }
-
-    /// The units of work of all steps.
-    #[must_use]
-    pub fn total(&self) -> u64 {
-        self.total
-    }
-
     /// The most bytes in use at a time, beyond those before the execution.
-    #[must_use]
-    pub fn peak(&self) -> usize {
+    pub(crate) fn peak(&self) -> usize {
         ALLOCATOR.peak_usage().saturating_sub(self.before)
     }
 
@@ -173,10 +158,7 @@ impl GaugedFile<'_> {
     /// Records the time since the last call.
     fn see(&mut self) {
         let now = thread_time();
-        let time = now - self.since;
-        if time > self.gauge.slowest.1 {
-            self.gauge.slowest = (self.name, time);
-        }
+        self.gauge.took(self.name, now - self.since);
         self.since = now;
     }
 }

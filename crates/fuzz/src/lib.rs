@@ -1,9 +1,9 @@
 //! Fuzzing of the core: random inputs, and properties that must hold for all of them.
 //!
-//! A [`Target`] reads one input from a row of bytes ([`Source`]), gives it to a part of the core, and checks
+//! A [`Target`] reads one input from a row of bytes (`Source`), gives it to a part of the core, and checks
 //!
 //! - that nothing panics, with overflow checks and debug assertions compiled in;
-//! - that the allocator ([`ALLOCATOR`]) never held more than the page's share of memory ([`Gauge`]);
+//! - that the allocator ([`ALLOCATOR`]) never held more than the page's share of memory (`Gauge`);
 //! - that no step exceeds its share of work, and no step or call is slow;
 //! - that results equal those of the naive reference of the core's tests, for small systems; that a picture does not
 //!   depend on the size of its steps or on panes; that printed and written texts read back as the same.
@@ -22,6 +22,7 @@ mod make;
 mod once;
 mod options;
 mod pieces;
+mod results;
 mod shrink;
 mod source;
 mod supervisor;
@@ -29,11 +30,12 @@ mod target;
 mod told;
 mod worker;
 
-pub use gauge::Gauge;
-pub use once::{guided, once, replay};
+pub(crate) use gauge::Gauge;
+pub(crate) use once::once;
+pub use once::{guided, replay};
 pub use options::Options;
 pub use shrink::shrink;
-pub use source::Source;
+pub(crate) use source::Source;
 pub use supervisor::supervise;
 pub use target::Target;
 pub use worker::{watch, work};

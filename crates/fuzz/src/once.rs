@@ -13,7 +13,7 @@ thread_local! {
 }
 
 /// Runs a target with an input. Returns the resources used, and the fault, if any.
-pub fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), String>) {
+pub(crate) fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), String>) {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
         std::panic::set_hook(Box::new(|info| {
@@ -25,11 +25,8 @@ pub fn once(target: &Target, source: &mut Source<'_>) -> (Gauge, Result<(), Stri
         }));
     });
     let mut gauge = Gauge::new();
-    let outcome = catch_unwind(AssertUnwindSafe(|| (target.run)(source, &mut gauge)));
-    let outcome = match outcome {
-        Ok(()) => gauge.check(),
-        Err(_) => Err(PANIC.take()),
-    };
+    let ended = catch_unwind(AssertUnwindSafe(|| (target.run)(source, &mut gauge)));
+    let outcome = ended.map_err(|_| PANIC.take()).and_then(|()| gauge.check());
     (gauge, outcome)
 }
 
@@ -65,8 +62,7 @@ pub fn replay(target: &Target, path: &Path) -> Result<()> {
         }
     }
     let (gauge, outcome) = once(target, &mut source);
-    let (name, time) = gauge.slowest();
-    let (peak, total) = (gauge.peak() >> 10, gauge.total());
+    let ((name, time), total, peak) = (gauge.slowest, gauge.total, gauge.peak() >> 10);
     println!("{}: peak {peak} KiB, {total} units of work, slowest call {name} {time:?}", target.name);
     outcome.map_err(|message| anyhow::anyhow!("{message}"))
 }

@@ -6,7 +6,7 @@ use lsystem::Definition;
 /// Choices that are read from bytes. After the end of the bytes, every choice is the first one, so that every row of
 /// bytes is an input and short rows are simple inputs.
 #[derive(Debug)]
-pub struct Source<'a> {
+pub(crate) struct Source<'a> {
     bytes: Unstructured<'a>,
     /// A system that targets use instead of a random one.
     pub(crate) given: Option<Definition>,
@@ -16,8 +16,7 @@ pub struct Source<'a> {
 
 impl<'a> Source<'a> {
     /// A source at the start of `bytes`.
-    #[must_use]
-    pub fn new(bytes: &'a [u8]) -> Self {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes: Unstructured::new(bytes), given: None, is_shown: false }
     }
 
@@ -39,6 +38,28 @@ impl<'a> Source<'a> {
     /// One element of `these`.
     pub(crate) fn pick<T: Copy>(&mut self, these: &[T]) -> T {
         these[self.below(these.len())]
+    }
+
+    /// One of the words of `text`, which spaces divide.
+    pub(crate) fn pick_word<'t>(&mut self, text: &'t str) -> &'t str {
+        self.pick(&text.split(' ').collect::<Vec<_>>())
+    }
+
+    /// A number of `usual`, or once in `n` times any.
+    pub(crate) fn usual(&mut self, n: usize, usual: &[f64]) -> f64 {
+        if self.once_in(n) { self.number() } else { self.pick(usual) }
+    }
+
+    /// How often something is repeated: once, or once in `n` times one of `these`.
+    pub(crate) fn times(&mut self, n: usize, these: &[usize]) -> usize {
+        if self.once_in(n) { self.pick(these) } else { 1 }
+    }
+
+    /// Prints something of an input that is tried alone.
+    pub(crate) fn show(&self, text: core::fmt::Arguments<'_>) {
+        if self.is_shown {
+            println!("{text}");
+        }
     }
 
     /// One character of `text`.
@@ -66,7 +87,7 @@ impl<'a> Source<'a> {
     pub(crate) fn number(&mut self) -> f64 {
         match self.below(8) {
             0 => self.pick(&ROUND),
-            1..=3 => self.pick(&EXTREME),
+            1..=3 => self.pick_word(EXTREME).parse().unwrap_or_default(),
             4 => f64::from_bits(u64::from(self.word()) << 32 | u64::from(self.word())),
             5 => self.between(0, 2000) as f64 - 1000.0,
             6 => self.part(),
@@ -82,29 +103,6 @@ impl<'a> Source<'a> {
 }
 
 const ROUND: [f64; 8] = [0.0, 1.0, 2.0, 0.5, -1.0, 10.0, 100.0, 3.0];
-const EXTREME: [f64; 24] = [
-    -0.0,
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    f64::MAX,
-    f64::MIN,
-    f64::MIN_POSITIVE,
-    5e-324,
-    f64::EPSILON,
-    1e-9,
-    -1e-9,
-    1e9,
-    -1e9,
-    1e-300,
-    1e300,
-    1e18,
-    1e25,
-    4_294_967_296.0,
-    9_007_199_254_740_993.0,
-    1e6,
-    -1e6,
-    0.999_999,
-    1.000_001,
-    255.5,
-];
+const EXTREME: &str = "-0 NaN inf -inf 1.7976931348623157e308 -1.7976931348623157e308 2.2250738585072014e-308 5e-324 \
+    2.220446049250313e-16 1e-9 -1e-9 1e9 -1e9 1e-300 1e300 1e18 1e25 4294967296 9007199254740993 1e6 -1e6 0.999999 \
+    1.000001 255.5";

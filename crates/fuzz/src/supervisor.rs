@@ -1,10 +1,10 @@
 //! The supervisor: runs workers, continues after a worker that dies, and prints the findings.
 
 use crate::input::{Current, Input, Inputs};
+use crate::results::Results;
 use crate::worker::{EXIT_HANG, EXIT_MEMORY, keep};
 use crate::{Options, Target};
 use anyhow::{Context, Result, bail};
-use std::collections::BTreeMap;
 use std::process::{Command, ExitStatus, Stdio};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -21,9 +21,10 @@ pub fn supervise(options: &Options) -> Result<()> {
     let job = || -> Result<usize> {
         let mut found = 0;
         while let Some(target) = next() {
-            let results = Results::of(options, target)?;
+            let start = Instant::now();
+            let results = results(options, target, start)?;
             // All at once, because other targets print at the same time.
-            print!("{}", results.text(target));
+            print!("{}", text(target, &results, start.elapsed()));
             found += results.findings.values().filter(|message| !is_known(message)).count();
         }
         Ok(found)
@@ -52,116 +53,67 @@ fn is_known(message: &str) -> bool {
     known.any(|line| message.contains(line))
 }
 
-/// The results of one target.
-#[derive(Default)]
-struct Results {
-    executions: u64,
-    time: Duration,
-    /// The most memory in use, in KiB.
-    peak: u64,
-    /// The most units of work in one step.
-    work: u64,
-    /// By point: the number of inputs that reached it.
-    reached: BTreeMap<String, u64>,
-    /// The slowest inputs: milliseconds, and the rest of the worker's line.
-    slowest: Vec<(u64, String)>,
-    /// The messages of faults, by file.
-    findings: BTreeMap<String, String>,
-}
-
-impl Results {
-    fn of(options: &Options, target: &'static Target) -> Result<Self> {
-        let mut results = Self::default();
-        let start = Instant::now();
-        let mut from = options.from;
-        let most = match options.short {
-            true => Inputs::of(target, options.seed)?.committed() + options.times * target.short,
-            false => options.executions,
-        };
-        let least = Inputs::of(target, options.seed)?.committed() + LEAST;
-        loop {
-            let done = from - options.from;
-            // Slow targets get more time, so that each tries some inputs.
-            let share = if done < least { MAX_SHARES } else { 1 };
-            let time = options.time.map(|time| (time * share).saturating_sub(start.elapsed()));
-            let left = if share > 1 && options.time.is_some() { least.min(most) } else { most }.saturating_sub(done);
-            if left == 0 || time.is_some_and(|time| time.is_zero()) {
-                break;
-            }
-            let (status, output) = run(options, target, from, time, left)?;
-            let before = results.executions;
-            results.read(&output);
-            if status.success() {
-                from += results.executions - before;
-                continue;
-            }
-            let number = Current::read(&options.findings, target).context("a worker ended before its first input")?;
-            results.add_crash(options, target, number, status)?;
-            results.executions += number + 1 - from;
-            from = number + 1;
+/// Tries the inputs of a target.
+fn results(options: &Options, target: &'static Target, start: Instant) -> Result<Results> {
+    let mut results = Results::default();
+    let mut from = options.from;
+    let inputs = Inputs::of(target, options.seed)?;
+    let most = match options.short {
+        true => inputs.committed() + options.times * target.short,
+        false => options.executions,
+    };
+    let least = inputs.committed() + LEAST;
+    loop {
+        let done = from - options.from;
+        // Slow targets get more time, so that each tries some inputs.
+        let share = if done < least { MAX_SHARES } else { 1 };
+        let time = options.time.map(|time| (time * share).saturating_sub(start.elapsed()));
+        let left = if share > 1 && options.time.is_some() { least.min(most) } else { most }.saturating_sub(done);
+        if left == 0 || time.is_some_and(|time| time.is_zero()) {
+            return Ok(results);
         }
-        results.time = start.elapsed();
-        Ok(results)
-    }
-
-    /// Reads the output of a worker.
-    fn read(&mut self, output: &str) {
+        let (status, output) = run(options, target, from, time, left)?;
+        let before = results.executions;
         for line in output.lines() {
-            let words: Vec<&str> = line.splitn(4, ' ').collect();
-            let number = |at: usize| words.get(at).and_then(|word| word.parse::<u64>().ok()).unwrap_or(0);
-            match words.first().copied() {
-                Some("done") => {
-                    self.executions += number(1);
-                    self.peak = self.peak.max(number(2));
-                    self.work = self.work.max(number(3));
-                }
-                Some("reached") => *self.reached.entry(words[2..].join(" ")).or_default() += number(1),
-                Some("slowest") => self.slowest.push((number(1), words[2..].join(" "))),
-                Some("finding") if words.len() == 4 => {
-                    self.findings.entry(words[2].to_owned()).or_insert_with(|| words[3].to_owned());
-                }
-                _ => eprintln!("{line}"),
-            }
+            serde_json::from_str(line).map_or_else(|_| eprintln!("{line}"), |more| results.add(more));
         }
-    }
-
-    /// Adds a finding for the input that ended a worker, and writes the input to a file.
-    fn add_crash(&mut self, options: &Options, target: &'static Target, number: u64, status: ExitStatus) -> Result<()> {
+        if status.success() {
+            from += results.executions - before;
+            continue;
+        }
+        let number = Current::read(&options.findings, target).context("a worker ended before its first input")?;
         let kind = match status.code() {
             Some(EXIT_HANG) => "hang",
             Some(EXIT_MEMORY) => "memory beyond all limits",
             _ => "abort",
         };
         let mut input = Input::default();
-        Inputs::of(target, options.seed)?.fill(number, &mut input);
+        inputs.fill(number, &mut input);
         let path = keep(options, target, &format!("{kind}-{number}"), &input)?;
-        self.findings.insert(path.display().to_string(), format!("{kind} ({status})"));
-        Ok(())
+        results.findings.insert(path.display().to_string(), format!("{kind} ({status})"));
+        results.executions += number + 1 - from;
+        from = number + 1;
     }
+}
 
-    fn text(&self, target: &Target) -> String {
-        let mut text = String::new();
-        let seconds = self.time.as_secs_f64().max(1e-3);
-        let rate = self.executions as f64 / seconds;
-        let Self { executions, peak, work, .. } = self;
-        let name = target.name;
-        text += &format!(
-            "{name:12} {executions:>10} executions {rate:>9.0} /s   {seconds:>5.1} s   peak {peak:>6} KiB   most work {work:>8}\n"
-        );
-        let reached: Vec<String> = self.reached.iter().map(|(name, count)| format!("{name} {count}")).collect();
-        if !reached.is_empty() {
-            text += &format!("             reached: {}\n", reached.join(", "));
-        }
-        let mut slowest = self.slowest.clone();
-        slowest.sort();
-        let slowest: Vec<String> = slowest.iter().rev().take(3).map(|(ms, name)| format!("{ms} ms ({name})")).collect();
-        text += &format!("             slowest inputs: {}\n", slowest.join(", "));
-        for (path, message) in &self.findings {
-            let word = if is_known(message) { "known" } else { "FOUND" };
-            text += &format!("  {word} {message}\n        cargo xtask fuzz {} --input {path}\n", target.name);
-        }
-        text
+fn text(target: &Target, results: &Results, time: Duration) -> String {
+    let Results { executions, peak, work, reached, slowest, findings } = results;
+    let (name, seconds) = (target.name, time.as_secs_f64().max(1e-3));
+    let rate = *executions as f64 / seconds;
+    let mut text = format!(
+        "{name:12} {executions:>10} executions {rate:>9.0} /s   {seconds:>5.1} s   peak {peak:>6} KiB   most work {work:>8}\n"
+    );
+    let reached: Vec<String> = reached.iter().map(|(name, count)| format!("{name} {count}")).collect();
+    if !reached.is_empty() {
+        text += &format!("             reached: {}\n", reached.join(", "));
     }
+    let slowest: Vec<String> = slowest.iter().map(|(ms, number, name)| format!("{ms} ms ({number} {name})")).collect();
+    text += &format!("             slowest inputs: {}\n", slowest.join(", "));
+    for (path, message) in findings {
+        let word = if is_known(message) { "known" } else { "FOUND" };
+        text += &format!("  {word} {message}\n        cargo xtask fuzz {name} --input {path}\n");
+    }
+    text
 }
 
 /// Runs a worker from the input `from` on. Returns its exit status and output.

@@ -2,6 +2,7 @@
 
 use crate::clock::process_time;
 use crate::input::{Current, Input, Inputs};
+use crate::results::Results;
 use crate::shrink::place;
 use crate::{ALLOCATOR, Options, Target, once, told};
 use anyhow::{Context, Result};
@@ -27,7 +28,7 @@ pub(crate) const EXIT_MEMORY: i32 = 4;
 pub fn work(options: &Options) -> Result<()> {
     told::speak();
     for target in &options.targets {
-        Worker::new(options, target).run()?;
+        Worker { options, target, found: BTreeMap::new() }.run()?;
     }
     Ok(())
 }
@@ -37,21 +38,9 @@ struct Worker<'a> {
     target: &'static Target,
     /// By place of the fault: the length of the shortest input.
     found: BTreeMap<String, usize>,
-    /// The slowest inputs: processor time, number, and slowest call.
-    slowest: Vec<(Duration, u64, &'static str)>,
-    /// By point: the number of inputs that reached it.
-    reached: BTreeMap<&'static str, u64>,
-    /// The most bytes in use.
-    peak: usize,
-    /// The most units of work in one step.
-    work: u64,
 }
 
-impl<'a> Worker<'a> {
-    fn new(options: &'a Options, target: &'static Target) -> Self {
-        Self { options, target, found: BTreeMap::new(), slowest: vec![], reached: BTreeMap::new(), peak: 0, work: 0 }
-    }
-
+impl Worker<'_> {
     fn run(&mut self) -> Result<()> {
         let Options { seed, from, executions, findings, .. } = self.options;
         let mut current = Current::new(findings, self.target)?;
@@ -61,44 +50,33 @@ impl<'a> Worker<'a> {
         }
         let inputs = Inputs::of(self.target, *seed)?;
         let mut input = Input::default();
-        let mut number = *from;
+        let (mut number, mut results) = (*from, Results::default());
         while number - from < *executions && self.options.time.is_none_or(|time| start.elapsed() < time) {
             inputs.fill(number, &mut input);
             current.note(number)?;
             let began = begin();
             let (gauge, outcome) = once(self.target, &mut input.source());
             let time = process_time() - began;
-            self.peak = self.peak.max(gauge.peak());
-            self.work = self.work.max(gauge.work());
-            for &name in gauge.reached() {
-                *self.reached.entry(name).or_default() += 1;
-            }
-            self.rank(time, number, gauge.slowest().0);
+            results.add(Results {
+                executions: 1,
+                peak: gauge.peak() >> 10,
+                work: gauge.work,
+                reached: gauge.reached.iter().map(|&name| (name.to_owned(), 1)).collect(),
+                slowest: vec![(time.as_millis() as u64, number, gauge.slowest.0.to_owned())],
+                findings: BTreeMap::new(),
+            });
             if let Err(message) = outcome {
-                self.keep(&message, &input, number)?;
+                self.keep(&message, &input)?;
             }
             number += 1;
         }
         SINCE.store(u64::MAX, Ordering::Relaxed);
-        println!("done {} {} {}", number - from, self.peak >> 10, self.work);
-        for (name, count) in &self.reached {
-            println!("reached {count} {name}");
-        }
-        for (time, number, name) in &self.slowest {
-            println!("slowest {} {number} {name}", time.as_millis());
-        }
+        println!("{}", serde_json::to_string(&results)?);
         Ok(())
     }
 
-    /// Adds an input to the slowest three.
-    fn rank(&mut self, time: Duration, number: u64, name: &'static str) {
-        self.slowest.push((time, number, name));
-        self.slowest.sort_by_key(|entry| core::cmp::Reverse(entry.0));
-        self.slowest.truncate(3);
-    }
-
     /// Keeps the shortest input of every fault.
-    fn keep(&mut self, message: &str, input: &Input, number: u64) -> Result<()> {
+    fn keep(&mut self, message: &str, input: &Input) -> Result<()> {
         let place = place(message).to_owned();
         let size = input.bytes.len();
         let shortest = self.found.get(&place).copied().unwrap_or(usize::MAX);
@@ -106,7 +84,8 @@ impl<'a> Worker<'a> {
             let path = keep(self.options, self.target, &place, input)?;
             if shortest == usize::MAX {
                 let first = message.lines().next().unwrap_or_default();
-                println!("finding {number} {} {first}", path.display());
+                let findings = [(path.display().to_string(), first.to_owned())].into();
+                println!("{}", serde_json::to_string(&Results { findings, ..Results::default() })?);
             }
             self.found.insert(place, size);
         }

@@ -10,7 +10,7 @@ use crate::pace::{STEP, WORK};
 use crate::session::Session;
 use crate::surface::Screen;
 use core::ops::Range;
-use lsystem::derive::{Ancestor, DerivedPart, History, Word};
+use lsystem::derive::{Ancestor, DerivedPart, Generation};
 use lsystem::drawing::{Around, Origin, Segment, StyleChange};
 use lsystem::render::{
     Closeup, Near, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, seen_from, segment_near,
@@ -25,14 +25,6 @@ const VISITS: usize = 20_000;
 /// The most units of work to count the symbols of a string: some ten milliseconds, once for a string of more than 2^128
 /// symbols.
 const COUNTING: u64 = 64 * WORK as u64;
-
-/// A source of the symbols of a generation.
-enum GenerationReader<'a> {
-    /// Counts of the symbols that letters derive.
-    Counted(Word<'a>),
-    /// A remembered derivation.
-    Remembered(&'a History),
-}
 
 impl<S: Screen> Session<S> {
     /// Drops the remembered derivation. [`Session::remember`] derives again.
@@ -223,19 +215,15 @@ impl<S: Screen> Session<S> {
     }
 
     fn string_length(&self, generation: u32) -> Option<String> {
-        match self.reader(generation)? {
-            GenerationReader::Counted(word) => {
-                let symbols = word.symbols();
-                if symbols < u128::MAX {
-                    return Some(symbols.to_string());
-                }
-                let mut counter = self.system.as_ref()?.symbols(generation);
-                counter.step(COUNTING);
-                // If counting takes too long, the number of symbols that can be read stands for the count.
-                Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
-            }
-            GenerationReader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
+        let reader = self.reader(generation)?;
+        let symbols = reader.symbols()?;
+        if symbols < u128::MAX || matches!(reader, Generation::Remembered(..)) {
+            return Some(symbols.to_string());
         }
+        let mut counter = self.system.as_ref()?.symbols(generation);
+        counter.step(COUNTING);
+        // If counting takes too long, the number of symbols that can be read stands for the count.
+        Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
     }
 
     fn slice(&self, generation: u32, start: u128, length: usize) -> Option<String> {
@@ -249,33 +237,21 @@ impl<S: Screen> Session<S> {
             print_module(symbol, arguments, &mut text);
             text.push('\n');
         };
-        match reader {
-            GenerationReader::Counted(word) => word.modules(start, length, &mut visit),
-            GenerationReader::Remembered(history) => {
-                history.symbols(generation)?;
-                history.modules(generation, start, length, &mut visit);
-            }
-        }
+        reader.symbols()?;
+        reader.modules(start, length, &mut visit);
         Some(text)
     }
 
     /// The chain from the axiom to the symbol at `index`. Empty if there is no such symbol or the generation cannot be
     /// read.
     fn ancestry(&self, generation: u32, index: u128) -> Vec<AncestryLink> {
-        let chain = match self.reader(generation) {
-            None => vec![],
-            Some(GenerationReader::Counted(word)) => word.ancestry(index),
-            Some(GenerationReader::Remembered(history)) => history.ancestry(generation, index),
-        };
+        let chain = self.reader(generation).map_or_else(Vec::new, |reader| reader.ancestry(index));
         chain.into_iter().map(|ancestor| self.link(ancestor)).collect()
     }
 
     /// The descendants in generation `later` of the symbol at `index` of `generation`.
     fn part(&self, generation: u32, index: u128, later: u32) -> Option<DerivedPart> {
-        match self.reader(later)? {
-            GenerationReader::Counted(word) => word.part(generation, index),
-            GenerationReader::Remembered(history) => history.part(generation, index, later),
-        }
+        self.reader(later)?.part(generation, index)
     }
 
     /// A part of the shown generation.
@@ -287,10 +263,7 @@ impl<S: Screen> Session<S> {
 
     /// The position of the symbol that draws a segment.
     pub(crate) fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
-        match self.reader(self.iterations())? {
-            GenerationReader::Counted(word) => word.symbol_of_segment(segment),
-            GenerationReader::Remembered(history) => history.symbol_of_segment(segment),
-        }
+        self.reader(self.iterations())?.symbol_of_segment(segment)
     }
 
     /// The position of the symbol that opens a polygon.
@@ -298,9 +271,9 @@ impl<S: Screen> Session<S> {
         self.shown.as_ref()?.symbol_of_polygon(self.system.as_ref()?, self.iterations(), number)
     }
 
-    fn reader(&self, generation: u32) -> Option<GenerationReader<'_>> {
-        let word = self.system.as_ref()?.word(generation).map(GenerationReader::Counted);
-        word.or_else(|| self.history.as_ref().map(GenerationReader::Remembered))
+    fn reader(&self, generation: u32) -> Option<Generation<'_>> {
+        let word = self.system.as_ref()?.word(generation).map(Generation::Counted);
+        word.or_else(|| Some(Generation::Remembered(self.history.as_ref()?, generation)))
     }
 
     fn link(&self, ancestor: Ancestor) -> AncestryLink {

@@ -3,82 +3,12 @@
 use crate::naive;
 use crate::naive::Module;
 use crate::naive::systems::{Features, system};
-use lsystem::derive::{Ancestor, DerivedPart, History, Word};
+use lsystem::derive::{Ancestor, Generation, History};
 use lsystem::drawing::symbol_of_polygon;
 use lsystem::render::fitted_polygon;
 use lsystem::{Definition, Figure, Limits, Plane, Progress, Solid, System, draw};
 use proptest::prelude::*;
 use std::sync::Arc;
-
-/// A source of pages of generations.
-trait Reader {
-    fn symbols(&self, generation: u32) -> Option<u128>;
-    fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)>;
-    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor>;
-    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart>;
-    fn segments_before(&self, index: u128) -> Option<u128>;
-    fn symbol_of_segment(&self, segment: u128) -> Option<u128>;
-}
-
-/// Reading by counts of letters, up to a generation.
-struct Counted<'a>(&'a System, u32);
-
-impl Counted<'_> {
-    fn word(&self, n: u32) -> Word<'_> {
-        self.0.word(n).unwrap()
-    }
-}
-
-impl Reader for Counted<'_> {
-    fn symbols(&self, generation: u32) -> Option<u128> {
-        Some(self.word(generation).symbols())
-    }
-    fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)> {
-        let mut found = vec![];
-        let mut visit = |symbol, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
-        self.word(generation).modules(start, length, &mut visit);
-        found
-    }
-    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
-        self.word(generation).ancestry(index)
-    }
-    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
-        self.word(self.1).part(generation, index)
-    }
-    fn segments_before(&self, index: u128) -> Option<u128> {
-        Some(self.word(self.1).segments_before(index))
-    }
-    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
-        self.word(self.1).symbol_of_segment(segment)
-    }
-}
-
-/// Reading a remembered derivation, up to a generation.
-struct Remembered(History, u32);
-
-impl Reader for Remembered {
-    fn symbols(&self, generation: u32) -> Option<u128> {
-        self.0.symbols(generation)
-    }
-    fn modules(&self, generation: u32, start: u128, length: usize) -> Vec<(char, Vec<f64>)> {
-        let mut found = vec![];
-        let mut visit = |symbol, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
-        self.0.modules(generation, start, length, &mut visit);
-        found
-    }
-    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
-        self.0.ancestry(generation, index)
-    }
-    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
-        self.0.part(generation, index, self.1)
-    }
-    fn segments_before(&self, index: u128) -> Option<u128> {
-        self.0.segments_before(index)
-    }
-    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
-        self.0.symbol_of_segment(segment)
-    }
-}
 
 /// The chain from the axiom to a module, from the words of the naive reference.
 fn ancestry(words: &[Vec<Module>], mut index: usize) -> Vec<Ancestor> {
@@ -93,39 +23,47 @@ fn ancestry(words: &[Vec<Module>], mut index: usize) -> Vec<Ancestor> {
     chain
 }
 
-fn check(reader: &dyn Reader, words: &[Vec<Module>], drawn: &[usize], place: usize) -> Result<(), TestCaseError> {
+fn check<'a>(
+    reader: impl Fn(u32) -> Generation<'a>,
+    words: &[Vec<Module>],
+    drawn: &[usize],
+    place: usize,
+) -> Result<(), TestCaseError> {
     let n = words.len() - 1;
+    let last = reader(n as u32);
     for (generation, word) in words.iter().enumerate() {
-        let length = word.len();
-        prop_assert_eq!(reader.symbols(generation as u32), Some(length as u128));
+        let (own, length) = (reader(generation as u32), word.len());
+        prop_assert_eq!(own.symbols(), Some(length as u128));
         let start = place % (length + 1);
         let page: Vec<_> = word.iter().skip(start).take(17).map(|m| (m.symbol, m.arguments.clone())).collect();
-        prop_assert_eq!(reader.modules(generation as u32, start as u128, 17), page);
-        prop_assert_eq!(reader.ancestry(generation as u32, length as u128), vec![]);
-        prop_assert_eq!(reader.part(generation as u32, length as u128), None);
+        let mut found = vec![];
+        own.modules(start as u128, 17, &mut |symbol, arguments| found.push((symbol, arguments.to_vec())));
+        prop_assert_eq!(found, page);
+        prop_assert_eq!(own.ancestry(length as u128), vec![]);
+        prop_assert_eq!(last.part(generation as u32, length as u128), None);
         if start == length {
             continue;
         }
-        prop_assert_eq!(reader.ancestry(generation as u32, start as u128), ancestry(&words[..=generation], start));
+        prop_assert_eq!(own.ancestry(start as u128), ancestry(&words[..=generation], start));
         // The descendants are consecutive modules in every later generation.
-        let part = reader.part(generation as u32, start as u128).unwrap();
-        let mut own = vec![start];
+        let part = last.part(generation as u32, start as u128).unwrap();
+        let mut heirs = vec![start];
         for later in &words[generation + 1..] {
-            own = later.iter().filter(|module| own.contains(&module.parent)).map(|module| module.index).collect();
+            heirs = later.iter().filter(|module| heirs.contains(&module.parent)).map(|module| module.index).collect();
         }
-        prop_assert_eq!(part.symbols.end - part.symbols.start, own.len() as u128);
-        if let Some(&first) = own.first() {
+        prop_assert_eq!(part.symbols.end - part.symbols.start, heirs.len() as u128);
+        if let Some(&first) = heirs.first() {
             prop_assert_eq!(part.symbols.start, first as u128);
         }
         let before = |at: u128| drawn[..at as usize].iter().sum::<usize>() as u128;
         prop_assert_eq!(part.segments, before(part.symbols.start)..before(part.symbols.end));
     }
     let place = place % (words[n].len() + 1);
-    prop_assert_eq!(reader.segments_before(place as u128), Some(drawn[..place].iter().sum::<usize>() as u128));
+    prop_assert_eq!(last.segments_before(place as u128), Some(drawn[..place].iter().sum::<usize>() as u128));
     let owners: Vec<usize> = drawn.iter().enumerate().flat_map(|(at, &count)| vec![at; count]).collect();
-    prop_assert_eq!(reader.symbol_of_segment(owners.len() as u128), None);
+    prop_assert_eq!(last.symbol_of_segment(owners.len() as u128), None);
     if let Some(segment) = place.checked_rem(owners.len()) {
-        prop_assert_eq!(reader.symbol_of_segment(segment as u128), Some(owners[segment] as u128));
+        prop_assert_eq!(last.symbol_of_segment(segment as u128), Some(owners[segment] as u128));
     }
     Ok(())
 }
@@ -155,9 +93,9 @@ proptest! {
         let drawn = naive::segments_of_each(&system, &words[n as usize]);
         let history = remember(&system, n, piece);
         prop_assert!(history.is_complete());
-        check(&Remembered(history, n), &words, &drawn, place.into())?;
+        check(|generation| Generation::Remembered(&history, generation), &words, &drawn, place.into())?;
         if system.word(n).is_some() {
-            check(&Counted(&system, n), &words, &drawn, place.into())?;
+            check(|generation| Generation::Counted(system.word(generation).unwrap()), &words, &drawn, place.into())?;
         }
         // The segments are numbered as in the drawing.
         if naive::images(&system.grammar, system.seed, &words[n as usize]).is_some() {

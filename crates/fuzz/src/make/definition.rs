@@ -28,9 +28,7 @@ pub(crate) fn system(source: &mut Source<'_>) -> Option<(Definition, System)> {
 /// The given definition, or a random one, which seldom has errors.
 pub(crate) fn definition(source: &mut Source<'_>) -> Definition {
     let definition = source.given.clone().unwrap_or_else(|| random_definition(source));
-    if source.is_shown {
-        println!("{}", lsystem::write_json(&definition));
-    }
+    source.show(format_args!("{}", lsystem::write_json(&definition)));
     definition
 }
 

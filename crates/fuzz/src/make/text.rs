@@ -3,7 +3,7 @@
 use crate::Source;
 use crate::pieces::pieces;
 use core::fmt::Write;
-use lsystem::syntax::{ACTIONS, NumberForm};
+use lsystem::syntax::{ACTIONS, Function, NumberForm};
 
 /// Letters, and all symbols with a meaning in a dialect or in the notation.
 const SYMBOLS: &str = "FGfgABXYLPQabcxyz+-|[]{}.!#',;%&^\\/$<>v*:=()~@é木🌱○●01";
@@ -92,8 +92,7 @@ pub(super) fn word(source: &mut Source<'_>, features: SystemFeatures, names: &[&
 
 /// A module with arguments.
 fn module(source: &mut Source<'_>, names: &[&str]) -> String {
-    let symbol =
-        source.pick(&["A", "B", "P", "Q", "F", "f", "+", "-", "!", "&", "/", "'", "?P", "?H", "?L", "?U", "?C", "?S"]);
+    let symbol = source.pick_word("A B P Q F f + - ! & / ' ?P ?H ?L ?U ?C ?S");
     let count = source.pick(&[1, 1, 1, 2, 2, 3, 8]);
     let arguments: Vec<String> = (0..count).map(|_| expression(source, names, 2)).collect();
     format!("{symbol}({})", arguments.join(","))
@@ -103,26 +102,7 @@ fn module(source: &mut Source<'_>, names: &[&str]) -> String {
 pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) -> String {
     const OPERATORS: [&str; 16] =
         ["+", "-", "*", "/", "%", "^", "<", "<=", ">", ">=", "==", "!=", "&&", "||", " and ", " or "];
-    const FUNCTIONS: [(&str, usize); 18] = [
-        ("sin", 1),
-        ("cos", 1),
-        ("tan", 1),
-        ("asin", 1),
-        ("acos", 1),
-        ("atan", 1),
-        ("atan2", 2),
-        ("sqrt", 1),
-        ("exp", 1),
-        ("ln", 1),
-        ("abs", 1),
-        ("floor", 1),
-        ("ceil", 1),
-        ("min", 2),
-        ("max", 2),
-        ("random", 2),
-        ("ran", 1),
-        ("nran", 2),
-    ];
+    const FUNCTIONS: &str = "sin cos tan asin acos atan atan2 sqrt exp ln abs floor ceil min max random ran nran";
     match source.below(if depth == 0 { 4 } else { 10 }) {
         0 | 1 if !names.is_empty() => source.pick(names).to_owned(),
         0..=2 => source.pick(&["1", "0.5", "2", "0", "-1", "3", "0.9", "10", "r"]).to_owned(),
@@ -143,7 +123,8 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
         }
         7 if source.once_in(6) => format!("taper({})", expression(source, names, depth - 1)),
         7 => {
-            let (name, arity) = source.pick(&FUNCTIONS);
+            let name = source.pick_word(FUNCTIONS);
+            let arity = Function::ALL.iter().find(|function| function.name() == name).map_or(1, |own| own.arity());
             let arguments: Vec<String> = (0..arity).map(|_| expression(source, names, depth - 1)).collect();
             format!("{name}({})", arguments.join(", "))
         }
@@ -218,17 +199,9 @@ fn shape(source: &mut Source<'_>, depth: u32) -> String {
         let (a, b) = (shape(source, depth - 1), shape(source, depth - 1));
         return if source.once_in(2) { format!("{a} {sign} {b}") } else { format!("({a}) {sign} ({b})") };
     }
-    let (name, count) = source.pick(&[
-        ("ball", 4),
-        ("box", 6),
-        ("cylinder", 7),
-        ("cone", 7),
-        ("half", 6),
-        ("outline", 6),
-        ("outline", 40),
-        ("mesh", 36),
-    ]);
-    let numbers: Vec<&str> = (0..count).map(|_| number(source)).collect();
+    let shape = source.pick_word("ball:4 box:6 cylinder:7 cone:7 half:6 outline:6 outline:40 mesh:36");
+    let (name, count) = shape.split_once(':').unwrap_or((shape, "1"));
+    let numbers: Vec<&str> = (0..count.parse().unwrap_or(1)).map(|_| number(source)).collect();
     format!("{name}({})", numbers.join(", "))
 }
 

@@ -4,7 +4,7 @@ use lsystem::{Camera, View, Viewport};
 
 /// The size of a picture; seldom large, because large pictures take long.
 pub(crate) fn viewport(source: &mut Source<'_>) -> Viewport {
-    let ratio = if source.once_in(10) { source.number() } else { source.pick(&[1.0, 2.0, 0.5, 3.0]) };
+    let ratio = source.usual(10, &[1.0, 2.0, 0.5, 3.0]);
     let side = |source: &mut Source<'_>| source.pick(&[64, 100, 1, 2, 3, 17, 33, 160, 255, 320]);
     let [width, height] = match source.below(64) {
         63 => [1920, 1080],
@@ -42,23 +42,18 @@ pub(crate) fn camera(source: &mut Source<'_>) -> Camera {
     if source.once_in(3) {
         return Camera::default();
     }
-    let any = |source: &mut Source<'_>, usual: &[f64]| usual_or_any(source, usual);
     Camera {
-        azimuth: any(source, &[0.0, 25.0, 90.0, 180.0, -360.0]),
-        elevation: any(source, &[0.0, 12.0, 90.0, -90.0]),
+        azimuth: source.usual(10, &[0.0, 25.0, 90.0, 180.0, -360.0]),
+        elevation: source.usual(10, &[0.0, 12.0, 90.0, -90.0]),
         zoom: match source.below(4) {
             0 => libm::pow(10.0, source.part() * 25.0),
-            _ => any(source, &[1.0, 3.0, 0.2, 50.0]),
+            _ => source.usual(10, &[1.0, 3.0, 0.2, 50.0]),
         },
-        target: [0, 1, 2].map(|_| any(source, &[0.0, 0.0, 0.3, -0.5])),
+        target: [0, 1, 2].map(|_| source.usual(10, &[0.0, 0.0, 0.3, -0.5])),
         perspective: source.once_in(2),
-        distance: any(source, &[2.0, 2.0, 0.5, 1e9]),
-        fade: any(source, &[0.0, 0.5, 1.0]),
+        distance: source.usual(10, &[2.0, 2.0, 0.5, 1e9]),
+        fade: source.usual(10, &[0.0, 0.5, 1.0]),
     }
-}
-
-fn usual_or_any(source: &mut Source<'_>, usual: &[f64]) -> f64 {
-    if source.once_in(10) { source.number() } else { source.pick(usual) }
 }
 
 /// The number of segments shown; `None` for all.

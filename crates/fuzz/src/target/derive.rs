@@ -4,7 +4,7 @@ use crate::gauge::WORK;
 use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
-use lsystem::derive::{Ancestor, DerivedPart, History, Tally};
+use lsystem::derive::{Generation, History, Tally};
 use lsystem::drawing::{expand_once, expand_symbol, kind, legend, why_empty};
 use lsystem::syntax::print_module;
 use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, expand};
@@ -85,89 +85,38 @@ fn printed(system: &System, word: &[Module]) -> String {
     text
 }
 
-/// A source of pages of generations: counts, or a remembered derivation.
-enum GenerationReader<'a> {
-    Counted(&'a System, u32),
-    Remembered(Box<History>, u32),
-}
-
-impl GenerationReader<'_> {
-    fn modules(&self, generation: u32, start: u128) -> Vec<(char, Vec<f64>)> {
-        let mut found = vec![];
-        let mut visit = |symbol: char, arguments: &[f64]| found.push((symbol, arguments.to_vec()));
-        match self {
-            Self::Counted(system, _) => {
-                if let Some(word) = system.word(generation) {
-                    word.modules(start, 17, &mut visit);
-                }
-            }
-            Self::Remembered(history, _) => history.modules(generation, start, 17, &mut visit),
-        }
-        found
-    }
-
-    fn ancestry(&self, generation: u32, index: u128) -> Vec<Ancestor> {
-        match self {
-            Self::Counted(system, _) => system.word(generation).map_or_else(Vec::new, |word| word.ancestry(index)),
-            Self::Remembered(history, _) => history.ancestry(generation, index),
-        }
-    }
-
-    fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
-        match self {
-            Self::Counted(system, n) => system.word(*n)?.part(generation, index),
-            Self::Remembered(history, n) => history.part(generation, index, *n),
-        }
-    }
-
-    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
-        match self {
-            Self::Counted(system, n) => system.word(*n)?.symbol_of_segment(segment),
-            Self::Remembered(history, _) => history.symbol_of_segment(segment),
-        }
-    }
-
-    fn segments_before(&self, index: u128) -> Option<u128> {
-        match self {
-            Self::Counted(system, n) => Some(system.word(*n)?.segments_before(index)),
-            Self::Remembered(history, _) => history.segments_before(index),
-        }
-    }
-}
-
 /// Pages, ancestors and parts.
 pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let n = definition.iterations;
     let mut limits = make::limits(source);
     limits.modules = limits.modules.min(200_000);
-    let mut readers = vec![];
-    if gauge.call("word", || system.word(n)).is_some() {
-        gauge.reach("counted");
-        readers.push(GenerationReader::Counted(&system, n));
+    let mut history = gauge.call("history", || system.history(n, &limits));
+    if let Some(history) = &mut history {
+        gauge.steps("history step", WORK, history, History::step, History::spent);
     }
-    if let Some(mut history) = gauge.call("history", || system.history(n, &limits)) {
-        gauge.steps("history step", WORK, || {
-            let before = history.spent();
-            (history.step(WORK), history.spent() - before)
-        });
-        if history.is_complete() {
-            gauge.reach("remembered");
-            readers.push(GenerationReader::Remembered(Box::new(history), n));
-        }
-    }
+    let history = history.filter(History::is_complete);
     let words = if is_supported(&definition, &system) { words(&system, n) } else { vec![] };
     let is_whole = words.len() as u64 == u64::from(n) + 1;
     let index = [u128::from(source.word() % 500), source.pick(&[0, 1, u128::MAX, 1 << 64, 12_345])];
-    for reader in &readers {
+    for (name, is_counted) in [("counted", true), ("remembered", false)] {
+        let reader = |generation| match is_counted {
+            true => system.word(generation).map(Generation::Counted),
+            false => history.as_ref().map(|history| Generation::Remembered(history, generation)),
+        };
+        let Some(last) = gauge.call("word", || reader(n)) else { continue };
+        gauge.reach(name);
         for (place, index) in index.into_iter().enumerate() {
             let generation = source.below(n as usize + 1) as u32;
             let name = if place == 0 { "near" } else { "far" };
-            let page = gauge.call("page", || reader.modules(generation, index));
-            let ancestry = gauge.call("ancestry", || reader.ancestry(generation, index));
-            let part = gauge.call("part", || reader.part(generation, index));
-            gauge.call("symbol_of_segment", || reader.symbol_of_segment(index));
-            gauge.call("segments_before", || reader.segments_before(index));
+            let mut page = vec![];
+            let Some(read) = reader(generation) else { continue };
+            let mut visit = |symbol: char, arguments: &[f64]| page.push((symbol, arguments.to_vec()));
+            gauge.call("page", || read.modules(index, 17, &mut visit));
+            let ancestry = gauge.call("ancestry", || read.ancestry(index));
+            let part = gauge.call("part", || last.part(generation, index));
+            gauge.call("symbol_of_segment", || last.symbol_of_segment(index));
+            gauge.call("segments_before", || last.segments_before(index));
             let Some(word) = words.get(generation as usize) else { continue };
             gauge.reach(name);
             let start = usize::try_from(index).unwrap_or(usize::MAX);

@@ -4,89 +4,69 @@ use super::derive::{is_supported, words};
 use crate::gauge::WORK;
 use crate::told::check_diagnostic;
 use crate::{Gauge, Source, make, naive};
-use lsystem::drawing::{Outlook, Segment, Space, symbol_of_polygon};
+use lsystem::drawing::{Outlook, Plane, Segment, Space};
 use lsystem::render::{fitted_ends, fitted_outline, fitted_polygon};
 use lsystem::syntax::Heading;
-use lsystem::{
-    Definition, Drawer, Drawing, Figure, Limits, Progress, SegmentArrays, Solid, System, count_segments, fit,
-};
+use lsystem::{Definition, Drawer, Drawing, Figure, Limits, SegmentArrays, Solid, System, count_segments, fit};
 use std::sync::Arc;
 
 /// A drawing in the space of its system, made in steps.
 pub(super) fn figure(system: &System, n: u32, limits: &Limits, gauge: &mut Gauge) -> Option<Figure> {
     if system.is_solid() {
-        drawn_in_space(system, n, limits, gauge).map(Figure::Space)
+        drawn(system, n, limits, gauge).map(Figure::Space)
     } else {
         drawn(system, n, limits, gauge).map(Figure::Plane)
     }
 }
 
-/// A drawing in the plane, made in steps.
-pub(super) fn drawn(system: &System, n: u32, limits: &Limits, gauge: &mut Gauge) -> Option<Arc<Drawing>> {
-    build(Drawer::new(system, n, *limits), gauge)
+/// A drawing in a space, made in steps.
+pub(super) fn drawn<S: Space>(system: &System, n: u32, limits: &Limits, gauge: &mut Gauge) -> Option<Arc<Drawing<S>>> {
+    let mut drawer = Drawer::new(system, n, *limits);
+    gauge.steps("draw", WORK, &mut drawer, |drawer, work| drawer.step(work as u64), Drawer::spent);
+    let finished = gauge.call("finish", || drawer.finish());
+    gauge.reach(if finished.is_ok() { "drawn" } else { "refused" });
+    finished.inspect_err(check_diagnostic).ok().map(Arc::new)
 }
 
-/// A drawing in space, made in steps.
-pub(super) fn drawn_in_space(
-    system: &System,
-    n: u32,
-    limits: &Limits,
+/// A random system with its drawing in a space.
+pub(super) fn random_drawing<S: Space>(
+    source: &mut Source<'_>,
     gauge: &mut Gauge,
-) -> Option<Arc<Drawing<Solid>>> {
-    build(Drawer::new(system, n, *limits), gauge)
+) -> Option<(Definition, System, Arc<Drawing<S>>)> {
+    let (definition, system) = make::system(source)?;
+    let limits = make::limits(source);
+    let drawing = drawn(&system, definition.iterations, &limits, gauge)?;
+    Some((definition, system, drawing))
 }
 
-fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawing<S>>> {
-    loop {
-        let before = drawer.spent();
-        let progress = gauge.call("draw", || drawer.step(WORK as u64));
-        gauge.charge("draw", WORK as u64, drawer.spent() - before);
-        if progress == Progress::Done {
-            break;
-        }
+/// A drawing as seen in the plane: itself, or the view of one in space.
+pub(super) fn flat(source: &mut Source<'_>, system: &System, n: u32, gauge: &mut Gauge) -> Option<Arc<Drawing>> {
+    let limits = make::limits(source);
+    if !system.is_solid() {
+        return drawn(system, n, &limits, gauge);
     }
-    match gauge.call("finish", || drawer.finish()) {
-        Ok(drawing) => {
-            gauge.reach("drawn");
-            Some(Arc::new(drawing))
-        }
-        Err(limit) => {
-            gauge.reach("refused");
-            check_diagnostic(&limit);
-            None
-        }
-    }
+    let solid = drawn::<Solid>(system, n, &limits, gauge)?;
+    seen(source, &solid, gauge).map(Arc::new)
+}
+
+/// The view of a drawing in space, if it has few segments.
+pub(super) fn seen(source: &mut Source<'_>, solid: &Drawing<Solid>, gauge: &mut Gauge) -> Option<Drawing> {
+    let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
+    gauge.call("seen_from", || solid.seen_from(&outlook, 20_000)).ok()
 }
 
 /// A drawing in the plane.
 pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((definition, system)) = make::system(source) else { return };
+    let Some((definition, system, drawing)) = random_drawing::<Plane>(source, gauge) else { return };
     let n = definition.iterations;
-    let limits = make::limits(source);
-    let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
-    let bounds = gauge.call("bounds", || drawing.bounds());
-    assert_eq!(bounds.is_some(), drawing.segment_count() > 0 || drawing.polygon_count() > 0, "bounds of something");
-    if let Some([x0, y0, x1, y1]) = bounds {
-        assert!(x0 <= x1 && y0 <= y1, "{bounds:?}");
-    }
+    let is_there = drawing.segment_count() > 0 || drawing.polygon_count() > 0;
+    assert_eq!(drawing.bounds().is_some(), is_there, "bounds of something");
     gauge.call("fit", || fit(&drawing));
+    read(source, &system, n, &Figure::Plane(drawing.clone()), gauge);
     let number = place(source, drawing.segment_count());
-    let figure = Figure::Plane(drawing.clone());
-    if let Some(segments) = gauge.call("count_segments", || count_segments(&system, n)) {
-        let words = gauge.call("describe", || figure.describe(&system, n, &segments));
-        assert!(!words.is_empty(), "a picture without words");
-    }
-    gauge.call("fitted_ends", || fitted_ends(&figure, number));
     gauge.call("heading_at", || drawing.heading_at(number));
-    let end = number.saturating_add(u128::from(source.word()));
-    gauge.call("fitted_outline", || fitted_outline(&figure, number..end));
-    let number = place(source, drawing.polygon_count());
-    let polygon = gauge.call("fitted_polygon", || fitted_polygon(&figure, number));
-    assert_eq!(polygon.is_empty(), number >= drawing.polygon_count());
-    gauge.call("symbol_of_polygon", || symbol_of_polygon(&system, n, &drawing, number));
     let mut arrays = SegmentArrays::default();
     let _ = gauge.call("write_segments", || drawing.write_segments(5_000, &mut arrays));
-    read(&drawing, gauge);
     if is_comparable(&definition, &system, n) {
         let naive = gauge.call("naive", || naive::limited_segments(&system, n, drawing.bounds()));
         gauge.reach("compared");
@@ -96,23 +76,11 @@ pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
 
 /// A drawing in space.
 pub(super) fn space(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((definition, system)) = make::system(source) else { return };
+    let Some((definition, system, drawing)) = random_drawing::<Solid>(source, gauge) else { return };
     let n = definition.iterations;
-    let limits = make::limits(source);
-    let Some(drawing) = drawn_in_space(&system, n, &limits, gauge) else { return };
-    let bounds = gauge.call("bounds", || drawing.bounds());
-    if let Some([low, high]) = bounds {
-        assert!((0..3).all(|i| low[i] <= high[i]), "{bounds:?}");
-    }
-    let number = place(source, drawing.segment_count());
-    let figure = Figure::Space(drawing.clone());
-    gauge.call("fitted_ends", || fitted_ends(&figure, number));
-    let number = place(source, drawing.polygon_count());
-    gauge.call("fitted_polygon", || fitted_polygon(&figure, number));
-    gauge.call("symbol_of_polygon", || symbol_of_polygon(&system, n, &drawing, number));
+    read(source, &system, n, &Figure::Space(drawing.clone()), gauge);
     let outlook = Outlook { azimuth: source.number(), elevation: source.number() };
     let _ = gauge.call("seen_from", || drawing.seen_from(&outlook, 5_000));
-    read(&drawing, gauge);
     if system.is_solid() && is_comparable(&definition, &system, n) {
         let naive = gauge.call("naive", || naive::solid_segments(&system, n));
         gauge.reach("compared");
@@ -130,16 +98,27 @@ fn place(source: &mut Source<'_>, count: u128) -> u128 {
     }
 }
 
-/// Reads some segments from different starts.
-fn read<S: Space>(drawing: &Drawing<S>, gauge: &mut Gauge) {
-    let count = drawing.segment_count();
+/// Reads a drawing in the ways that both spaces have.
+fn read(source: &mut Source<'_>, system: &System, n: u32, figure: &Figure, gauge: &mut Gauge) {
+    let bounds = gauge.call("bounds", || figure.bounds());
+    assert!(bounds.iter().all(|[low, high]| low.iter().zip(high).all(|(low, high)| low <= high)), "{bounds:?}");
+    let count = figure.segment_count();
+    if let Some(segments) = gauge.call("count_segments", || count_segments(system, n)) {
+        let words = gauge.call("describe", || figure.describe(system, n, &segments));
+        assert!(!words.is_empty(), "a picture without words");
+    }
+    let number = place(source, count);
+    gauge.call("fitted_ends", || fitted_ends(figure, number));
+    let end = number.saturating_add(u128::from(source.word()));
+    gauge.call("fitted_outline", || fitted_outline(figure, number..end));
+    let number = place(source, figure.polygon_count());
+    let polygon = gauge.call("fitted_polygon", || fitted_polygon(figure, number));
+    assert_eq!(polygon.is_empty(), number >= figure.polygon_count());
+    gauge.call("symbol_of_polygon", || figure.symbol_of_polygon(system, n, number));
     for start in [0, 1, count / 3, count.saturating_sub(1), count] {
-        let few = gauge.call("segments_from", || drawing.segments_from(start).take(3).count());
-        // A saturated count is not exact.
-        if count == u128::MAX {
-            continue;
-        }
-        assert_eq!(few as u128, (count.saturating_sub(start)).min(3), "segments from {start} on of {count}");
+        let few = gauge.call("segments_from", || figure.segments_from(start).take(3).count());
+        let is_right = few as u128 == count.saturating_sub(start).min(3);
+        assert!(count == u128::MAX || is_right, "segments from {start} on of {count}: {few}");
     }
 }
 

@@ -1,8 +1,8 @@
 //! Export files: limited in size, well formed, with finite numbers, and with their system.
 
-use super::drawing::{drawn, drawn_in_space};
+use super::drawing::{drawn, seen};
 use crate::{Gauge, Source, make};
-use lsystem::drawing::Outlook;
+use lsystem::drawing::Plane;
 use lsystem::files::{SvgForm, write_stl};
 use lsystem::{
     Definition, Diagnostic, Drawing, Mesh, Solid, Style, SvgOptions, read_file, write_csv, write_glb, write_json,
@@ -18,15 +18,14 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let (n, limits) = (definition.iterations, make::limits(source));
     if !system.is_solid() {
-        let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
+        let Some(drawing) = drawn::<Plane>(&system, n, &limits, gauge) else { return };
         svg(source, &definition, &drawing, &system.style, gauge);
         table(gauge.call("csv", || write_csv(&drawing, MAX)), drawing.segment_count(), 6);
     }
     if system.is_solid() || source.once_in(3) {
-        let Some(drawing) = drawn_in_space(&system, n, &limits, gauge) else { return };
+        let Some(drawing) = drawn::<Solid>(&system, n, &limits, gauge) else { return };
         table(gauge.call("csv", || write_csv(&*drawing, MAX)), drawing.segment_count(), 8);
-        let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
-        if let Ok(seen) = gauge.call("seen_from", || drawing.seen_from(&outlook, MAX)) {
+        if let Some(seen) = seen(source, &drawing, gauge) {
             svg(source, &definition, &seen, &system.style, gauge);
         }
         let Ok(mesh) = gauge.call("mesh", || Mesh::new(&drawing, &system.style, MAX)) else { return };
@@ -34,9 +33,8 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
         let obj = gauge.call("obj", || write_obj(&mesh, definition.label()));
         assert!(!obj.contains("NaN") && !obj.contains("inf"), "a number that is not finite in OBJ");
         printed(&drawing, &system.style, gauge);
-        let Ok(glb) = gauge.call("glb", || write_glb(&drawing, &system.style, MAX, definition.label())) else {
-            return;
-        };
+        let written = gauge.call("glb", || write_glb(&drawing, &system.style, MAX, definition.label()));
+        let Ok(glb) = written else { return };
         assert!(glb.starts_with(b"glTF"));
         let length = glb[8..12].iter().rev().fold(0, |length, &byte| length << 8 | usize::from(byte));
         assert_eq!(length, glb.len(), "the length that the file tells");

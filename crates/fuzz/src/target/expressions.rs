@@ -14,9 +14,7 @@ pub(super) fn expressions(source: &mut Source<'_>, gauge: &mut Gauge) {
     let other = if source.once_in(20) { random_pieces(source).replace('\n', " ") } else { other };
     let axiom = format!("A({one},{})", expression(source, &[], 2));
     let rules = format!("r = {}\nA(x,y) : {condition} -> B(x)A({other},x)", source.pick(&["2", "0.5", "1e300", "-1"]));
-    if source.is_shown {
-        println!("{axiom}\n{rules}");
-    }
+    source.show(format_args!("{axiom}\n{rules}"));
     let (grammar, diagnostics) = parse(&axiom, &rules);
     if diagnostics.iter().any(lsystem::Diagnostic::is_error) {
         return;

@@ -70,9 +70,7 @@ fn script(source: &mut Source<'_>, gauge: &mut Gauge) -> Option<Script> {
         let at = source.below(text.len());
         text.replace_range(at..=at, source.pick(&["", "/", ":", ";", "~", ",", "1e999", "ä"]));
     }
-    if source.is_shown {
-        println!("{text}");
-    }
+    source.show(format_args!("{text}"));
     match gauge.call("script", || text.parse::<Script>()) {
         Ok(script) => Some(script),
         Err(error) => {
@@ -156,14 +154,13 @@ fn paint(
     let words = |problem: lsystem::Diagnostic| problem.message;
     gauge.call("begin", || painter.begin(frame, size, detail)).map_err(words)?;
     let mut problem = None;
-    gauge.steps("frame", WORK, || {
-        let before = painter.spent();
-        let progress = painter.step(WORK as u64).unwrap_or_else(|error| {
+    let step = |painter: &mut Painter, work: usize| {
+        painter.step(work as u64).unwrap_or_else(|error| {
             problem = Some(words(error));
             lsystem::Progress::Done
-        });
-        (progress, painter.spent() - before)
-    });
+        })
+    };
+    gauge.steps("frame", WORK, painter, step, Painter::spent);
     if let Some(problem) = problem {
         gauge.reach("refused");
         return Err(problem);

@@ -36,11 +36,7 @@ pub(super) fn pictures_found(source: &mut Source<'_>, gauge: &mut Gauge) {
         finder.try_first([Named { name: "a system".to_owned(), definition }]);
         gauge.reach("named");
     }
-    for _ in 0..STEPS {
-        if gauge.call("step", || finder.step(STEP)) == Searched::All {
-            break;
-        }
-    }
+    let _ = (0..STEPS).any(|_| gauge.call("step", || finder.step(STEP)) == Searched::All);
     check(finder.found(), gauge);
     let (found, words) = gauge.call("merged", || merged(&[&finder, &finder]));
     assert!(!words.is_empty() && !finder.searched().is_empty());
@@ -51,16 +47,14 @@ pub(super) fn pictures_found(source: &mut Source<'_>, gauge: &mut Gauge) {
 fn question(source: &mut Source<'_>) -> Question {
     const AXIOMS: [&str; 16] =
         ["F", "X", "F-F-F-F", "F+F+F", "FX", "X+X", "[F]", "F[+F]F", "-F", "", " ", "[", "]F", "🌿", "F(1)", "A+B"];
-    let number =
-        |source: &mut Source<'_>, usual: &[f64]| if source.once_in(8) { source.number() } else { source.pick(usual) };
     Question {
         axiom: source.once_in(2).then(|| {
             let axiom = source.pick(&AXIOMS);
-            axiom.repeat(if source.once_in(20) { source.pick(&[10, 100, 1000]) } else { 1 })
+            axiom.repeat(source.times(20, &[10, 100, 1000]))
         }),
         // Angles take long to suggest, so they are mostly known.
-        angle: (!source.once_in(4)).then(|| number(source, &[90.0, 60.0, 25.7, 45.0, 120.0, 180.0, 1.0, 0.01, 360.0])),
-        heading: source.once_in(2).then(|| number(source, &[90.0, 0.0, 60.0, -45.0, 1e6])),
+        angle: (!source.once_in(4)).then(|| source.usual(8, &[90.0, 60.0, 25.7, 45.0, 120.0, 180.0, 1.0, 0.01, 360.0])),
+        heading: source.once_in(2).then(|| source.usual(8, &[90.0, 0.0, 60.0, -45.0, 1e6])),
         n: source.once_in(2).then(|| source.pick(&[1, 2, 3, 4, 5, 8, 12, 0, 13, u32::MAX])),
         draws: source.once_in(3).then(|| source.pick(&["F", "FG", "X", "", "🌿", "FF"]).to_owned()),
     }
@@ -145,11 +139,7 @@ pub(super) fn strings_found(source: &mut Source<'_>, gauge: &mut Gauge) {
     let question = question(source);
     let Ok(mut finder) = gauge.call("finder", || StringFinder::new(&text, &question)) else { return };
     gauge.reach("search");
-    for _ in 0..STEPS {
-        if gauge.call("step", || finder.step(STEP as usize)) == Searched::All {
-            break;
-        }
-    }
+    let _ = (0..STEPS).any(|_| gauge.call("step", || finder.step(STEP as usize)) == Searched::All);
     assert!(!finder.searched().is_empty());
     let found = gauge.call("found", || finder.found());
     check(&found, gauge);

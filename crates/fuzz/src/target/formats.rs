@@ -18,9 +18,7 @@ pub(super) fn formats(source: &mut Source<'_>, gauge: &mut Gauge) {
     let format = &FORMATS[source.below(FORMATS.len())];
     let values = values(source, format.options);
     let options = FileOptions::from_values(&values).expect("values within their ranges");
-    if source.is_shown {
-        println!("{format:?} {values:?}");
-    }
+    source.show(format_args!("{format:?} {values:?}"));
     let [width, height] = options.size.unwrap_or([1024, 1024]).map(u64::from);
     if width * height > MAX_PIXELS && format.options.contains(&"size") {
         return;

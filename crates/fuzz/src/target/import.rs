@@ -66,16 +66,11 @@ pub(super) fn long_texts(source: &mut Source<'_>, gauge: &mut Gauge) {
         text += &part;
     }
     text += after;
-    if source.is_shown {
-        println!("{} bytes of {part:?} after {before:?}", text.len());
-    }
+    source.show(format_args!("{} bytes of {part:?} after {before:?}", text.len()));
     if let Some(imported) = gauge.long_call("import", LONG_STEPS, || import(&text)) {
         gauge.reach(imported.notation);
-        assert_eq!(
-            imported.account.last().map(|part| part.span.end),
-            Some(text.len()),
-            "the account ends with the text"
-        );
+        let end = imported.account.last().map(|part| part.span.end);
+        assert_eq!(end, Some(text.len()), "the account ends with the text");
     }
 }
 

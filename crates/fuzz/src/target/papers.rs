@@ -1,13 +1,11 @@
 //! Files for papers: figures and typeset systems that LaTeX and viewers can read.
 
-use super::drawing::{drawn, drawn_in_space};
+use super::drawing::flat;
 use crate::{Gauge, Source, make};
-use lsystem::drawing::Outlook;
 use lsystem::files::{Content, FORMATS, FileOptions, Format, Purpose};
 use lsystem::plot::Sheet;
-use lsystem::{Definition, Drawing, System, read_file, write_json};
+use lsystem::{read_file, write_json};
 use miniz_oxide::inflate::decompress_to_vec_zlib;
-use std::sync::Arc;
 
 /// The most segments of a file in this target.
 const MAX: u64 = 20_000;
@@ -34,7 +32,7 @@ pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
             check_words(format, &file);
         }
     }
-    let Some(drawing) = paper_drawing(source, &definition, &system, gauge) else { return };
+    let Some(drawing) = flat(source, &system, definition.iterations, gauge) else { return };
     for format in FORMATS.iter().filter(|format| format.purposes.contains(&Purpose::Paper)) {
         if let Content::Paper(write) = format.content {
             let written =
@@ -47,22 +45,6 @@ pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
             }
         }
     }
-}
-
-/// The drawing of a system, seen from somewhere if it is in space.
-fn paper_drawing(
-    source: &mut Source<'_>,
-    definition: &Definition,
-    system: &System,
-    gauge: &mut Gauge,
-) -> Option<Arc<Drawing>> {
-    let (n, limits) = (definition.iterations, make::limits(source));
-    if !system.is_solid() {
-        return drawn(system, n, &limits, gauge);
-    }
-    let solid = drawn_in_space(system, n, &limits, gauge)?;
-    let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
-    gauge.call("seen_from", || solid.seen_from(&outlook, MAX)).ok().map(Arc::new)
 }
 
 /// Checks a typeset system.

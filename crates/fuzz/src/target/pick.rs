@@ -12,9 +12,7 @@ pub(super) fn pick(source: &mut Source<'_>, gauge: &mut Gauge) {
     let viewport = make::viewport(source);
     let vantage = Vantage { view: make::view(source), camera: make::camera(source) };
     let pointers: Vec<Pointer> = (0..source.between(1, 6)).map(|_| pointer(source)).collect();
-    if source.is_shown {
-        println!("{viewport:?} {vantage:?}\n{pointers:?}");
-    }
+    source.show(format_args!("{viewport:?} {vantage:?}\n{pointers:?}"));
     let Some(figure) = figure(&system, n, &limits, gauge) else { return };
     for pointer in &pointers {
         let found = gauge.call("pick", || lsystem::pick(&figure, viewport, &vantage, pointer));

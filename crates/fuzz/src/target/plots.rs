@@ -1,8 +1,7 @@
 //! Files for pen plotters: lines on the sheet, and a summary of the file.
 
-use super::drawing::{drawn, drawn_in_space};
+use super::drawing::flat;
 use crate::{Gauge, Source, make};
-use lsystem::drawing::Outlook;
 use lsystem::files::{FileOptions, write_plot};
 use lsystem::plot::{Corner, PlotOptions, PlotSummary, Sheet};
 use lsystem::{read_file, write_json};
@@ -20,16 +19,7 @@ const ERROR: f64 = 1e-6;
 /// Plots with random choices.
 pub(super) fn plots(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
-    let (n, limits) = (definition.iterations, make::limits(source));
-    let drawing = if system.is_solid() {
-        let Some(solid) = drawn_in_space(&system, n, &limits, gauge) else { return };
-        let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
-        let Ok(seen) = gauge.call("seen_from", || solid.seen_from(&outlook, MAX)) else { return };
-        seen.into()
-    } else {
-        let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
-        drawing
-    };
+    let Some(drawing) = flat(source, &system, definition.iterations, gauge) else { return };
     let written = write_json(&definition);
     let options = FileOptions {
         title: "<&>".into(),
@@ -39,9 +29,7 @@ pub(super) fn plots(source: &mut Source<'_>, gauge: &mut Gauge) {
         plot: plot_options(source),
         ..FileOptions::default()
     };
-    if source.is_shown {
-        println!("{:?}\n{:?}", options.sheet, options.plot);
-    }
+    source.show(format_args!("{:?}\n{:?}", options.sheet, options.plot));
     let style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
     let (file, summary) = match gauge.file("plot", PARTS, |sink| write_plot(drawing, &style, &options, sink)) {
         Ok(plot) => plot,
@@ -56,27 +44,22 @@ pub(super) fn plots(source: &mut Source<'_>, gauge: &mut Gauge) {
 
 /// A sheet, seldom a strange one.
 fn sheet(source: &mut Source<'_>) -> Sheet {
-    let side = |source: &mut Source<'_>| {
-        if source.once_in(10) { source.number() } else { source.pick(&[210.0, 297.0, 50.0, 1000.0]) }
-    };
-    let margin = if source.once_in(10) { source.number() } else { source.pick(&[10.0, 0.0, 20.0, 100.0, 500.0]) };
-    Sheet { width: side(source), height: side(source), margin }
+    let margin = source.usual(10, &[10.0, 0.0, 20.0, 100.0, 500.0]);
+    let [width, height] = [(); 2].map(|()| source.usual(10, &[210.0, 297.0, 50.0, 1000.0]));
+    Sheet { width, height, margin }
 }
 
 fn plot_options(source: &mut Source<'_>) -> PlotOptions {
-    let number = |source: &mut Source<'_>, usual: &[f64]| {
-        if source.once_in(10) { source.number() } else { source.pick(usual) }
-    };
     PlotOptions {
-        pen: number(source, &[0.3, 0.05, 1.0, 20.0]),
+        pen: source.usual(10, &[0.3, 0.05, 1.0, 20.0]),
         turns: source.once_in(2),
         hatch: source.once_in(2),
         hide: source.once_in(2),
         start: source.pick(&Corner::ALL),
-        least: number(source, &[0.0, 0.0, 1.0, 50.0]),
-        speed: number(source, &[50.0]),
-        travel_speed: number(source, &[150.0]),
-        lift: number(source, &[0.2]),
+        least: source.usual(10, &[0.0, 0.0, 1.0, 50.0]),
+        speed: source.usual(10, &[50.0]),
+        travel_speed: source.usual(10, &[150.0]),
+        lift: source.usual(10, &[0.2]),
     }
 }
 

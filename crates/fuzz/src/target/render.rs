@@ -1,11 +1,11 @@
 //! Pictures in the plane: at any view they do not depend on the size of steps or on panes.
 
-use super::drawing::drawn;
+use super::drawing::random_drawing;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::render::{Detail, Pane, Pass, RenderStats, fitted_scale};
 use lsystem::syntax::Ink;
-use lsystem::{Definition, Dialect, Drawing, Figure, Progress, Renderer, Style, System, View, Viewport, fit};
+use lsystem::{Definition, Dialect, Drawing, Figure, Renderer, Style, System, View, Viewport, fit};
 use std::sync::Arc;
 
 /// The settings of a picture.
@@ -21,9 +21,10 @@ impl PictureSettings {
         let style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
         let upto = make::upto(source);
         let settings = Self { style, viewport: make::viewport(source).within_limits(), view: make::view(source), upto };
-        if source.is_shown {
-            println!("{:?} {:?} upto {:?}\n{:?}", settings.viewport, settings.view, settings.upto, settings.style);
-        }
+        source.show(format_args!(
+            "{:?} {:?} upto {:?}\n{:?}",
+            settings.viewport, settings.view, settings.upto, settings.style
+        ));
         settings
     }
 
@@ -35,19 +36,48 @@ impl PictureSettings {
     fn picture(&self, renderer: &mut Renderer, detail: Detail, work: usize, gauge: &mut Gauge) {
         let Self { style, viewport, view, upto } = self;
         gauge.call("begin", || renderer.begin_with(style, *viewport, *view, detail, *upto));
-        gauge.steps("picture", work, || {
-            let before = renderer.spent();
-            (renderer.step(work), renderer.spent() - before)
-        });
+        gauge.steps("picture", work, renderer, Renderer::step, Renderer::spent);
         assert_eq!(renderer.pixels().len(), 4 * (viewport.width * viewport.height) as usize);
+    }
+
+    /// The picture, made in steps of another size.
+    fn in_other_steps(&self, source: &mut Source<'_>, drawing: &Arc<Drawing>, detail: Detail) -> Renderer {
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        self.picture(&mut renderer, detail, source.pick(&[1_000_000, 100, 3]), &mut Gauge::new());
+        renderer
+    }
+
+    /// Checks that the picture in panes is the whole, but for some pixels, unless a pane is rough.
+    fn check_panes(
+        &self,
+        drawing: &Arc<Drawing>,
+        whole: &[u8],
+        panes: impl IntoIterator<Item = (Pane, Pass)>,
+        (most, is_rough): (usize, impl Fn(&RenderStats) -> bool),
+        gauge: &mut Gauge,
+    ) {
+        let Self { style, viewport, view, upto } = self;
+        let mut renderer = Renderer::new();
+        renderer.load(drawing.clone());
+        let (mut apart, mut rough) = (0, false);
+        for (pane, pass) in panes {
+            gauge.call("begin pane", || renderer.begin_pane(style, *viewport, *view, *upto, (pane, pass)));
+            gauge.steps("pane", WORK, &mut renderer, Renderer::step, Renderer::spent);
+            rough |= is_rough(&renderer.stats());
+            apart += if pass.shows() { differing(renderer.pixels(), whole, pane, viewport.width) } else { 0 };
+        }
+        if !rough {
+            gauge.reach("panes");
+            let all = whole.len() / 4;
+            assert!(apart <= most, "{apart} of {all} pixels differ when made in panes");
+        }
     }
 }
 
 /// A random drawing and the settings of its picture.
 fn random_picture(source: &mut Source<'_>, ink: Ink, gauge: &mut Gauge) -> Option<(Arc<Drawing>, PictureSettings)> {
-    let (definition, system) = make::system(source)?;
-    let limits = make::limits(source);
-    let drawing = drawn(&system, definition.iterations, &limits, gauge)?;
+    let (_, system, drawing) = random_drawing(source, gauge)?;
     let mut settings = PictureSettings::make(source, &system);
     settings.style.ink = ink;
     gauge.allow(settings.memory());
@@ -72,22 +102,9 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     ];
     let (axiom, rules, angle) = source.pick(&GOOD);
     let n = source.pick(&[0, 1, 4, 8, 20, 40, 100, 1000]);
-    let definition = Definition {
-        axiom: axiom.into(),
-        rules: rules.into(),
-        angle,
-        iterations: n,
-        dialect: Dialect::Abop,
-        ..Definition::default()
-    };
-    if source.is_shown {
-        println!("{axiom} {rules} {angle} {n}");
-    }
-    let Ok(system) = System::new(&definition) else { return };
-    let Some(drawing) = drawn(&system, n, &make::limits(source), gauge) else { return };
-    let mut settings = PictureSettings::make(source, &system);
-    settings.style.ink = Ink::Solid;
-    gauge.allow(settings.memory());
+    let (axiom, rules, dialect) = (axiom.into(), rules.into(), Dialect::Abop);
+    source.given = Some(Definition { axiom, rules, angle, iterations: n, dialect, ..Definition::default() });
+    let Some((drawing, settings)) = random_picture(source, Ink::Solid, gauge) else { return };
     let _ = (fit(&drawing), fitted_scale(&Figure::Plane(drawing.clone()), settings.viewport, &settings.view.into()));
     check_opaque(source, &drawing, &settings, gauge);
 }
@@ -105,46 +122,29 @@ fn check_opaque(source: &mut Source<'_>, drawing: &Arc<Drawing>, settings: &Pict
     }
     settings.picture(&mut renderer, Detail::Fine, WORK, gauge);
     gauge.reach("fine");
-    let (pixels, stats) = (renderer.pixels().to_vec(), renderer.stats());
+    let (pixels, is_rough) = (renderer.pixels(), has_sketches(&renderer.stats()));
     if source.once_in(2) {
-        let mut other = Renderer::new();
-        other.load(drawing.clone());
-        settings.picture(&mut other, Detail::Fine, source.pick(&[1_000_000, 100, 3]), &mut Gauge::new());
-        if stats.outlines + stats.parts == 0 && other.stats().outlines + other.stats().parts == 0 {
+        let other = settings.in_other_steps(source, drawing, Detail::Fine);
+        if !is_rough && !has_sketches(&other.stats()) {
             gauge.reach("other steps");
             assert!(other.pixels() == pixels, "the picture depends on the size of steps");
         }
     }
     // A light renderer, tiles and outlines differ between panes by design.
-    let is_exact = settings.view.zoom.abs() < MAX_EXACT && stats.tiles + stats.outlines + stats.parts == 0;
+    let is_drawn_apart = |stats: &RenderStats| stats.tiles > 0 || has_sketches(stats);
+    let is_exact = settings.view.zoom.abs() < MAX_EXACT && !is_drawn_apart(&renderer.stats());
     if is_exact && source.once_in(2) {
-        panes(source, drawing, settings, &pixels, gauge);
+        let size = [source.pick(&[64, 16, 144, 48]), source.pick(&[16, 48, 64])];
+        let panes = Pass::all(Ink::Solid, settings.viewport, size).into_iter().take(64);
+        // If the edge of a stroke meets a subsample, rounding decides.
+        let most = 1 + pixels.len() / 4 / 500;
+        settings.check_panes(drawing, pixels, panes, (most, is_drawn_apart), gauge);
     }
 }
 
-/// Checks that the picture in panes equals the whole picture.
-fn panes(source: &mut Source<'_>, drawing: &Arc<Drawing>, settings: &PictureSettings, whole: &[u8], gauge: &mut Gauge) {
-    let PictureSettings { style, viewport, view, upto } = settings;
-    let size = [source.pick(&[64, 16, 144, 48]), source.pick(&[16, 48, 64])];
-    let mut renderer = Renderer::new();
-    renderer.load(drawing.clone());
-    let (mut apart, mut rough) = (0, false);
-    for (pane, pass) in Pass::all(Ink::Solid, *viewport, size).into_iter().take(64) {
-        gauge.call("begin pane", || renderer.begin_pane(style, *viewport, *view, *upto, (pane, pass)));
-        gauge.steps("pane", WORK, || {
-            let before = renderer.spent();
-            (renderer.step(WORK), renderer.spent() - before)
-        });
-        let stats = renderer.stats();
-        rough |= stats.tiles + stats.outlines + stats.parts > 0;
-        apart += if pass.shows() { differing(renderer.pixels(), whole, pane, viewport.width) } else { 0 };
-    }
-    if !rough {
-        gauge.reach("panes");
-        // If the edge of a stroke meets a subsample, rounding decides.
-        let most = 1 + whole.len() / 4 / 500;
-        assert!(apart <= most, "{apart} of {} pixels differ when made in panes of {size:?}", whole.len() / 4);
-    }
+/// Whether outlines or dots stand for blocks.
+fn has_sketches(stats: &RenderStats) -> bool {
+    stats.outlines + stats.parts > 0
 }
 
 /// The number of pixels of a pane that differ from the whole picture by more than one subsample.
@@ -169,12 +169,7 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
     settings.picture(&mut renderer, detail, WORK, gauge);
     gauge.reach("picture");
     if source.once_in(2) {
-        let mut other = Renderer::new();
-        other.load(drawing.clone());
-        let work = source.pick(&[1_000_000, 100, 3]);
-        let PictureSettings { style, viewport, view, upto } = &settings;
-        other.begin_with(style, *viewport, *view, detail, *upto);
-        while other.step(work) == Progress::More {}
+        let other = settings.in_other_steps(source, &drawing, detail);
         assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
     }
     let RenderStats { blocks, strokes, stamps, tiles, outlines, parts } = renderer.stats();
@@ -182,30 +177,12 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
     let is_exact =
         settings.view.zoom.abs() < MAX_EXACT && tiles + outlines + parts == 0 && blocks + strokes + stamps < 40_000;
     if is_exact && detail == Detail::Fine && source.once_in(2) {
-        let PictureSettings { style, viewport, view, upto } = &settings;
         let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];
-        let mut other = Renderer::new();
-        other.load(drawing);
-        let (mut apart, mut rough) = (0, false);
-        let all = Pass::all(ink, *viewport, size);
-        if all.len() > 128 {
-            return;
-        }
-        for (pane, pass) in all {
-            gauge.call("begin pane", || other.begin_pane(style, *viewport, *view, *upto, (pane, pass)));
-            gauge.steps("pane", WORK, || {
-                let before = other.spent();
-                (other.step(WORK), other.spent() - before)
-            });
-            rough |= other.stats().outlines > 0;
-            apart += if pass.shows() { differing(other.pixels(), renderer.pixels(), pane, viewport.width) } else { 0 };
-        }
-        if rough {
-            return;
-        }
-        gauge.reach("panes");
-        let whole = renderer.pixels().len() / 4;
+        let panes = Pass::all(ink, settings.viewport, size);
         // A pane samples a cut stroke at other points, so that an eighth of a pixel's ink may go to the next pixel.
-        assert!(apart <= 4 + whole / 100, "{apart} of {whole} pixels differ when made in panes of {size:?}");
+        let most = 4 + renderer.pixels().len() / 4 / 100;
+        if panes.len() <= 128 {
+            settings.check_panes(&drawing, renderer.pixels(), panes, (most, |stats| stats.outlines > 0), gauge);
+        }
     }
 }

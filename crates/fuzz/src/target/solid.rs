@@ -1,23 +1,19 @@
 //! Pictures in space.
-use super::drawing::drawn_in_space;
+use super::drawing::random_drawing;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::render::{Effort, Pane, Pass, Quality, Spent, camera_axes, fitted_scale};
 use lsystem::syntax::Ink;
-use lsystem::{Figure, Progress, SolidRenderer, Style};
+use lsystem::{Figure, Progress, Solid, SolidRenderer, Style};
 
 /// Pictures in space: at all qualities, in a hurry, and in panes.
 pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((definition, system)) = make::system(source) else { return };
-    let limits = make::limits(source);
-    let Some(drawing) = drawn_in_space(&system, definition.iterations, &limits, gauge) else { return };
+    let Some((_, system, drawing)) = random_drawing::<Solid>(source, gauge) else { return };
     let style: Style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
     let (viewport, camera) = (make::viewport(source).within_limits(), make::camera(source));
     let quality = if source.once_in(2) { Quality::FINEST } else { Quality(source.between(0, 17) as u8) };
     let upto = make::upto(source);
-    if source.is_shown {
-        println!("{viewport:?} {camera:?} {quality:?} upto {upto:?}\n{style:?}");
-    }
+    source.show(format_args!("{viewport:?} {camera:?} {quality:?} upto {upto:?}\n{style:?}"));
     gauge.allow(64 * viewport.width as usize * viewport.height as usize);
     let _ = (camera_axes(&camera), fitted_scale(&Figure::Space(drawing.clone()), viewport, &camera.into()));
     let mut renderer = SolidRenderer::new();
@@ -27,10 +23,7 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
     if source.once_in(6) {
         renderer.hurry(source.part() as f32);
     }
-    gauge.steps("picture", WORK, || {
-        let before = renderer.spent();
-        (renderer.step(WORK), renderer.spent() - before)
-    });
+    gauge.steps("picture", WORK, &mut renderer, SolidRenderer::step, SolidRenderer::spent);
     assert_eq!(renderer.pixels().len(), 4 * (viewport.width * viewport.height) as usize);
     gauge.reach("picture");
     // Panes of additive ink have the tone of all panes, which are counted before.
@@ -50,10 +43,7 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
             gauge.call("begin pane", || {
                 renderer.begin_pane(&style, viewport, &camera, (pane, Pass::Show), effort.budget());
             });
-            gauge.steps("pane", WORK, || {
-                let before = renderer.spent();
-                (renderer.step(WORK), renderer.spent() - before)
-            });
+            gauge.steps("pane", WORK, &mut renderer, SolidRenderer::step, SolidRenderer::spent);
             spent.add(renderer.effort_spent());
             same &= is_part(renderer.pixels(), whole, pane, viewport.width);
         }

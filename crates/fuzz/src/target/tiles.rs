@@ -1,7 +1,7 @@
 //! Pyramids of tiles: a tile does not depend on the tiles before it or on the size of steps, blank places are known, and
 //! workers share all tiles.
 
-use super::drawing::drawn;
+use super::drawing::random_drawing;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::render::{Pyramid, TilePlace, TileRenderer, TileShare};
@@ -12,9 +12,7 @@ const MAX_WORK: usize = 100 * WORK;
 
 /// Some tiles of one pyramid.
 pub(super) fn tiles(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((definition, system)) = make::system(source) else { return };
-    let limits = make::limits(source);
-    let Some(drawing) = drawn(&system, definition.iterations, &limits, gauge) else { return };
+    let Some((_, system, drawing)) = random_drawing(source, gauge) else { return };
     let style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
     let side = source.pick(&[1, 2, 7, 16, 64, 128]);
     let is_transparent = source.once_in(2);
