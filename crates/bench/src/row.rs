@@ -84,14 +84,6 @@ fn short(number: f64) -> String {
         1e3.. => (number / 1e3, " k"),
         _ => (number, ""),
     };
-    format!(
-        "{value:.prec$}{unit}",
-        prec = if value < 10.0 {
-            2
-        } else if value < 100.0 {
-            1
-        } else {
-            0
-        }
-    )
+    let digits = 2 - usize::from(value >= 10.0) - usize::from(value >= 100.0);
+    format!("{value:.digits$}{unit}")
 }

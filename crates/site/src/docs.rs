@@ -131,7 +131,7 @@ impl Page<'_> {
 }
 
 /// Replaces `{{name}}` by the value of this name. Values are not searched for names.
-fn fill(template: &str, values: &[(&str, &str)]) -> Result<String> {
+pub(crate) fn fill(template: &str, values: &[(&str, &str)]) -> Result<String> {
     let mut filled = String::new();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once("{{") {

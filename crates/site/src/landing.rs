@@ -5,7 +5,7 @@
 mod shelves;
 mod thumbnail;
 
-use crate::docs::{Page, escape, shortened};
+use crate::docs::{Page, escape, fill, shortened};
 use crate::exercises::try_out;
 use crate::gallery::{Entry, systems};
 use crate::language;
@@ -136,13 +136,13 @@ impl<'a> Landing<'a> {
     }
 
     fn page(&self, template: &str) -> Result<String> {
-        let (head, body) = (self.head(), self.body());
+        let (head, body) = (self.head()?, self.body()?);
         let (title, description) = (&self.title, &*shortened(self.summary()));
         let language = language::language();
         Page { docs: "../docs/", name: "", title, description, head: &head, language, body: &body }.fill(template)
     }
 
-    fn head(&self) -> String {
+    fn head(&self) -> Result<String> {
         let (page, picture) = (self.beside(&format!("{}html", others(language::language()))), self.beside("png"));
         let description = shortened(self.summary());
         let data = json!({
@@ -158,27 +158,21 @@ impl<'a> Landing<'a> {
         });
         // A title may hold the end of a script.
         let data = data.to_string().replace('<', "\\u003c");
-        let tags = [
-            ("type", "article"),
-            ("site_name", "L-systems"),
-            ("title", &*self.title),
-            ("description", &*description),
-            ("url", &*page),
-            ("image", &*picture),
-            ("image:width", &*SIZE[0].to_string()),
-            ("image:height", &*SIZE[1].to_string()),
-            ("image:alt", &*self.description),
-        ]
-        .map(|(name, value)| format!("<meta property=\"og:{name}\" content=\"{}\">\n", escape(value)))
-        .concat();
-        format!(
-            "<link rel=\"canonical\" href=\"{page}\">\n{}\
-             <link rel=\"alternate\" type=\"application/json+oembed\" href=\"{}\" title=\"{}\">\n\
-             {tags}<meta name=\"twitter:card\" content=\"summary_large_image\">\n\
-             <script type=\"application/ld+json\">{data}</script>\n",
-            alternates(self.languages, |part| self.beside(&format!("{part}html"))),
-            escape(&self.beside("json")),
-            escape(&self.title),
+        let [width, height] = SIZE.map(|side| side.to_string());
+        fill(
+            include_str!("landing/head.html"),
+            &[
+                ("page", &page),
+                ("alternates", &alternates(self.languages, |part| self.beside(&format!("{part}html")))),
+                ("oembed", &escape(&self.beside("json"))),
+                ("title", &escape(&self.title)),
+                ("description", &escape(&description)),
+                ("picture", &escape(&picture)),
+                ("width", &width),
+                ("height", &height),
+                ("alt", &escape(&self.description)),
+                ("data", &data),
+            ],
         )
     }
 
@@ -202,7 +196,7 @@ impl<'a> Landing<'a> {
         })
     }
 
-    fn body(&self) -> String {
+    fn body(&self) -> Result<String> {
         let Entry { definition, system, .. } = self.entry;
         let (name, [width, height]) = (&self.name, SIZE);
         let asked =
@@ -228,13 +222,8 @@ impl<'a> Landing<'a> {
             .collect();
         let symbols: String = legend(system)
             .iter()
-            .map(|entry| {
-                format!(
-                    "<tr><td><code class=\"short\">{}</code></td><td>{}</td></tr>\n",
-                    escape(&entry.module),
-                    escape(&entry.actions)
-                )
-            })
+            .map(|entry| (escape(&entry.module), escape(&entry.actions)))
+            .map(|(module, does)| format!("<tr><td><code class=\"short\">{module}</code></td><td>{does}</td></tr>\n"))
             .collect();
         let growth = growth(system, definition.iterations).map(|growth| growth.sentences.join(" ")).unwrap_or_default();
         // Where the note is empty, the description stands above the picture.
@@ -244,34 +233,33 @@ impl<'a> Landing<'a> {
             .map(|words| format!("<p>{}</p>\n", escape(words)))
             .collect();
         let words = if words.is_empty() { words } else { format!("<h2>{}</h2>\n{words}", escape(&say!("In words"))) };
-        format!(
-            "<p class=\"way\"><a href=\"{all}\">{gallery}</a>, {shelf}</p>\n\
-             <h1>{title}</h1>\n<p>{summary}</p>\n\
-             <p><a href=\"{link}\"><img class=\"wide\" src=\"{name}.png\" width=\"{width}\" height=\"{height}\" alt=\"{alt}\"></a></p>\n\
-             <p class=\"doors\"><a class=\"door\" href=\"{link}\">{open}</a>\n{exercise}</p>\n\
-             <h2>{rules_name}</h2>\n\
-             <pre class=\"block\" role=\"group\" aria-label=\"{rules_name}\" tabindex=\"0\"><code>{rules}</code></pre>\n\
-             <div class=\"table\" role=\"group\" aria-label=\"{values}\" tabindex=\"0\"><table><tbody>\n{facts}</tbody></table></div>\n\
-             {words}<h2>{symbols_name}</h2>\n<div class=\"table\" role=\"group\" aria-label=\"{symbols_name}\" tabindex=\"0\"><table><thead><tr><th>{symbol}</th><th>{does}</th></tr></thead>\
-             <tbody>\n{symbols}</tbody></table></div>\n",
-            all = if language::ending().is_empty() {
-                "./".to_owned()
-            } else {
-                format!("index{}.html", language::ending())
-            },
-            gallery = escape(&say!("Gallery")),
-            open = escape(&say!("Open in the playground")),
-            rules_name = escape(&say!("Rules")),
-            values = escape(&say!("Values")),
-            symbols_name = escape(&say!("Symbols")),
-            symbol = escape(&say!("symbol")),
-            does = escape(&say!("what it does")),
-            shelf = escape(&self.shelf),
-            title = escape(&self.title),
-            summary = escape(self.summary()),
-            alt = escape(&self.description),
-            exercise = exercise.unwrap_or_default(),
-            rules = escape(definition.rules.trim_end()),
+        let ending = language::ending();
+        let all = if ending.is_empty() { "./".to_owned() } else { format!("index{ending}.html") };
+        fill(
+            include_str!("landing/body.html"),
+            &[
+                ("all", &all),
+                ("gallery", &escape(&say!("Gallery"))),
+                ("shelf", &escape(&self.shelf)),
+                ("title", &escape(&self.title)),
+                ("summary", &escape(self.summary())),
+                ("link", &link),
+                ("name", name),
+                ("width", &width.to_string()),
+                ("height", &height.to_string()),
+                ("alt", &escape(&self.description)),
+                ("open", &escape(&say!("Open in the playground"))),
+                ("exercise", &exercise.unwrap_or_default()),
+                ("rules name", &escape(&say!("Rules"))),
+                ("rules", &escape(definition.rules.trim_end())),
+                ("values", &escape(&say!("Values"))),
+                ("facts", &facts),
+                ("words", &words),
+                ("symbols name", &escape(&say!("Symbols"))),
+                ("symbol", &escape(&say!("symbol"))),
+                ("does", &escape(&say!("what it does"))),
+                ("symbols", &symbols),
+            ],
         )
     }
 

@@ -14,7 +14,7 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use fs_err as fs;
 use lol_html::html_content::{ContentType, Element};
-use lol_html::{element, end_tag};
+use lol_html::{HandlerResult, element, end_tag};
 use sha2::{Digest, Sha256};
 use std::cell::{Cell, RefCell};
 use std::io::Write as _;
@@ -71,14 +71,7 @@ impl Maker<'_> {
                     link.remove();
                     Ok(())
                 }),
-                element!("script[src]", |script| {
-                    let file = self.site.join(script.get_attribute("src").unwrap_or_default());
-                    let text = checked(fs::read_to_string(file)?)?;
-                    script.remove_attribute("src");
-                    script.set_inner_content(&text, ContentType::Html);
-                    scripts.borrow_mut().push(hash(&text));
-                    Ok(())
-                }),
+                element!("script[src]", |script| put_inside(script, self.site, &scripts)),
                 element!("head", |head| {
                     head.append(&format!("<style>{styles}</style>\n"), ContentType::Html);
                     Ok(())
@@ -124,6 +117,16 @@ fn policy(scripts: &[String], styles: &str, alone: Alone) -> String {
     )
 }
 
+/// Puts a script, or the one that stands for it in single files, into its element, and notes its hash.
+pub(crate) fn put_inside(script: &mut Element<'_, '_>, site: &Path, hashes: &RefCell<Vec<String>>) -> HandlerResult {
+    let name = script.get_attribute("data-packed").or_else(|| script.get_attribute("src")).unwrap_or_default();
+    let text = checked(fs::read_to_string(site.join(name))?)?;
+    ["data-packed", "src"].into_iter().for_each(|name| script.remove_attribute(name));
+    script.set_inner_content(&text, ContentType::Html);
+    hashes.borrow_mut().push(hash(&text));
+    Ok(())
+}
+
 pub(crate) fn hash(text: &str) -> String {
     format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)))
 }
@@ -151,7 +154,7 @@ fn without_documents(page: &str) -> Result<String> {
 }
 
 /// A script, if it does not end its element early.
-pub(crate) fn checked(script: String) -> Result<String> {
+fn checked(script: String) -> Result<String> {
     let lower = script.to_ascii_lowercase();
     ensure!(
         !["</script", "<script", "<!--"].iter().any(|end| lower.contains(end)),

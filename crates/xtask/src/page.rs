@@ -1,7 +1,7 @@
 //! The page's checks: types, unit tests in Node.js, end-to-end tests in a browser.
 
 use crate::report::Report;
-use crate::server::{Gate, Server};
+use crate::server::{Builds, Server};
 use crate::workspace::{Kind, Workspace, output};
 use crate::{files, tools};
 use anyhow::{Context, Result, bail};
@@ -91,7 +91,7 @@ fn with_page(workspace: &Workspace, kind: Kind, prepare: impl FnOnce(&mut Comman
     let program = workspace.target.join("debug/lsys").with_extension(std::env::consts::EXE_EXTENSION);
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let address = format!("http://{}{MOUNT}", listener.local_addr()?);
-    let server = Server { folder: kind.folder(workspace), mount: MOUNT, version: None, whole: Gate::opened() };
+    let server = Server { folder: kind.folder(workspace), mount: MOUNT, builds: Builds::done(), reloads: false };
     // The listener is bound, so the tests need not wait. The thread ends with the process.
     thread::spawn(move || server.run(&listener));
     let temporary = tempfile::tempdir()?;

@@ -1,6 +1,6 @@
 //! `cargo xtask serve`: build quickly, then serve on this machine; with `--watch`, build again after each change.
 
-use crate::server::{Gate, Server, Version};
+use crate::server::{Builds, Server};
 use crate::workspace::{Kind, Workspace};
 use crate::{build, files};
 use anyhow::{Context, Result};
@@ -29,30 +29,23 @@ pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()>
     build::first(workspace)?;
     let listener = listen(options.port)?;
     println!("http://{}/", listener.local_addr()?);
-    let server = Server {
-        folder: Kind::Draft.folder(workspace),
-        mount: "/",
-        version: options.watch.then(Version::default),
-        whole: Gate::default(),
-    };
+    let server =
+        Server { folder: Kind::Draft.folder(workspace), mount: "/", builds: Builds::default(), reloads: options.watch };
     thread::scope(|scope| {
         scope.spawn(|| server.run(&listener));
         let start = Instant::now();
         let built = build::build(workspace, Kind::Draft, None);
-        server.whole.open();
+        server.builds.next();
         match built {
             Ok(()) => println!("tools, gallery and documents: {:.0} s later", start.elapsed().as_secs_f64()),
             Err(error) => eprintln!("error: {error:#}"),
         }
-        match &server.version {
-            Some(version) => watch(workspace, version, before),
-            None => Ok(()),
-        }
+        if options.watch { watch(workspace, &server.builds, before) } else { Ok(()) }
     })
 }
 
 /// Builds after each change, without end. A build that fails is told, and the last page stays.
-fn watch(workspace: &Workspace, version: &Version, mut built: Times) -> Result<()> {
+fn watch(workspace: &Workspace, builds: &Builds, mut built: Times) -> Result<()> {
     loop {
         let now = Times::now(workspace)?;
         if now == built {
@@ -68,7 +61,7 @@ fn watch(workspace: &Workspace, version: &Version, mut built: Times) -> Result<(
         match made {
             Ok(()) => {
                 println!("built in {:.1} s", start.elapsed().as_secs_f64());
-                version.next();
+                builds.next();
             }
             Err(error) => eprintln!("error: {error:#}"),
         }

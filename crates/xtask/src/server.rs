@@ -19,54 +19,36 @@ const PATIENCE: Duration = Duration::from_secs(10);
 pub(crate) struct Server {
     pub(crate) folder: PathBuf,
     pub(crate) mount: &'static str,
-    /// Counts the builds, if browsers shall reload after each.
-    pub(crate) version: Option<Version>,
-    /// Open when all files are there. Until then, requests for missing files wait.
-    pub(crate) whole: Gate,
+    /// Before the first one, requests for missing files wait.
+    pub(crate) builds: Builds,
+    /// Whether browsers reload after each build.
+    pub(crate) reloads: bool,
 }
 
-/// What is closed at first, and opened once.
+/// Counts builds, and lets threads wait for them.
 #[derive(Default)]
-pub(crate) struct Gate {
-    is_open: Mutex<bool>,
-    opened: Condvar,
-}
-
-impl Gate {
-    pub(crate) fn opened() -> Self {
-        Self { is_open: Mutex::new(true), opened: Condvar::new() }
-    }
-
-    pub(crate) fn open(&self) {
-        *self.is_open.lock().unwrap_or_else(PoisonError::into_inner) = true;
-        self.opened.notify_all();
-    }
-
-    fn wait(&self) {
-        let is_open = self.is_open.lock().unwrap_or_else(PoisonError::into_inner);
-        drop(self.opened.wait_while(is_open, |is_open| !*is_open));
-    }
-}
-
-/// The number of a build, for which browsers wait.
-#[derive(Default)]
-pub(crate) struct Version {
+pub(crate) struct Builds {
     number: Mutex<u64>,
     changed: Condvar,
 }
 
-impl Version {
+impl Builds {
+    /// After the first build.
+    pub(crate) fn done() -> Self {
+        Self { number: Mutex::new(1), ..Self::default() }
+    }
+
     /// Wakes all that wait.
     pub(crate) fn next(&self) {
         *self.number.lock().unwrap_or_else(PoisonError::into_inner) += 1;
         self.changed.notify_all();
     }
 
-    /// Waits for the next build.
-    fn wait(&self) {
+    /// Waits for the first build, or for the next one after it.
+    fn wait(&self, for_next: bool) {
         let number = self.number.lock().unwrap_or_else(PoisonError::into_inner);
-        let before = *number;
-        drop(self.changed.wait_while(number, |number| *number == before));
+        let before = if for_next { (*number).max(1) } else { 0 };
+        drop(self.changed.wait_while(number, |number| *number <= before));
     }
 }
 
@@ -122,15 +104,15 @@ impl Server {
         }
         let path = target.split(['?', '#']).next().unwrap_or_default();
         let below = path.strip_prefix(self.mount);
-        if let (Some(version), Some(RELOAD)) = (&self.version, below) {
-            version.wait();
+        if self.reloads && below == Some(RELOAD) {
+            self.builds.wait(true);
             return (head("200 OK", "text/javascript", RELOADER.len(), ""), RELOADER.as_bytes().to_vec());
         }
         let Some(mut file) = below.and_then(|path| locate(&self.folder, path)) else {
             return plain("404 Not Found", "");
         };
         if !file.exists() {
-            self.whole.wait();
+            self.builds.wait(false);
         }
         if file.is_dir() {
             if !path.ends_with('/') {
@@ -141,7 +123,7 @@ impl Server {
         }
         match fs::read(&file) {
             Ok(body) => {
-                let body = if self.version.is_some() { reloading(&file, body) } else { body };
+                let body = if self.reloads { reloading(&file, body) } else { body };
                 (head("200 OK", &media_type(&file), body.len(), ""), body)
             }
             Err(_) => plain("404 Not Found", ""),
@@ -193,7 +175,7 @@ mod tests {
         crate::files::write(&site.join("lsystem.wasm"), b"\0asm").unwrap();
         crate::files::write(&site.join("a b/ä.txt"), "far").unwrap();
         let (method, target) = request.split_once(' ').unwrap();
-        let server = Server { folder: site, mount: "/sub/path/", version: None, whole: Gate::opened() };
+        let server = Server { folder: site, mount: "/sub/path/", builds: Builds::done(), reloads: false };
         let (head, body) = server.respond(method, target);
         let answer = format!("{head}{}", String::from_utf8(body).unwrap());
         assert!(head.starts_with(&format!("HTTP/1.1 {status}")), "{request}: {head}");
@@ -234,7 +216,7 @@ mod tests {
         let listener = TcpListener::bind("127.0.0.1:0")?;
         let address = listener.local_addr()?;
         // The thread serves until the test process ends.
-        let server = Server { folder: folder.path().to_owned(), mount: "/", version: None, whole: Gate::opened() };
+        let server = Server { folder: folder.path().to_owned(), mount: "/", builds: Builds::done(), reloads: false };
         thread::spawn(move || server.run(&listener));
         for _ in 0..3 {
             let mut stream = TcpStream::connect(address)?;
@@ -250,11 +232,11 @@ mod tests {
     fn files_that_are_still_being_made_are_waited_for() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("gallery.json");
-        let server = Server { folder: folder.path().to_owned(), mount: "/", version: None, whole: Gate::default() };
+        let server = Server { folder: folder.path().to_owned(), mount: "/", builds: Builds::default(), reloads: false };
         thread::scope(|scope| {
             let waiting = scope.spawn(|| [server.respond("GET", "/gallery.json"), server.respond("GET", "/none")]);
             fs::write(&file, "[]").unwrap();
-            server.whole.open();
+            server.builds.next();
             let [found, missing] = waiting.join().unwrap();
             assert!(found.1 == b"[]" && missing.0.starts_with("HTTP/1.1 404"));
         });
@@ -265,12 +247,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("index.html"), "<head></head>").unwrap();
         fs::write(folder.path().join("service-worker.js"), "keep()").unwrap();
-        let server = Server {
-            folder: folder.path().to_owned(),
-            mount: "/",
-            version: Some(Version::default()),
-            whole: Gate::opened(),
-        };
+        let server = Server { folder: folder.path().to_owned(), mount: "/", builds: Builds::done(), reloads: true };
         let text = |target| String::from_utf8(server.respond("GET", target).1).unwrap();
         assert_eq!(text("/"), format!("<head>{RELOADING}</head>"));
         assert_eq!(text("/service-worker.js"), FORGETTING);
@@ -278,7 +255,7 @@ mod tests {
             let waiting = scope.spawn(|| text("/reload.js"));
             // The request may begin to wait after a build; a later one wakes it.
             while !waiting.is_finished() {
-                server.version.as_ref().unwrap().next();
+                server.builds.next();
                 thread::yield_now();
             }
             assert_eq!(waiting.join().unwrap(), RELOADER);

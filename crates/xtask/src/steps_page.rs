@@ -8,7 +8,6 @@ use crate::{html, one_file};
 use anyhow::{Context, Result, ensure};
 use fs_err as fs;
 use lol_html::element;
-use lol_html::html_content::ContentType;
 use std::cell::RefCell;
 use std::path::Path;
 
@@ -29,16 +28,7 @@ pub(crate) fn make(site: &Path, lesson: &str, minified: impl Fn(&str) -> Result<
                 of_site.remove();
                 Ok(())
             }),
-            element!("script[src]", |script| {
-                let packed = script.get_attribute("data-packed").or_else(|| script.get_attribute("src"));
-                let script_text = fs::read_to_string(site.join(packed.context("a script")?))?;
-                script.remove_attribute("data-packed");
-                let text = one_file::checked(script_text)?;
-                script.remove_attribute("src");
-                script.set_inner_content(&text, ContentType::Html);
-                hashes.borrow_mut().push(one_file::hash(&text));
-                Ok(())
-            }),
+            element!("script[src]", |script| one_file::put_inside(script, site, &hashes)),
         ],
     )?;
     // Frames of a file are of no origin: `'self'` alone would refuse them.
