@@ -38,7 +38,7 @@ mod walk;
 
 mod rewriting;
 
-mod generation;
+mod generation_reader;
 
 #[cfg(test)]
 mod testing;
@@ -47,7 +47,7 @@ pub use access::{Ancestor, DerivedPart, Word};
 pub use asking::{Interpret, Interpretation, Interpreter, QueryAnswer};
 pub use counts::{Counter, weigh_until};
 pub use derivation::{derive_once, derive_string, derive_symbol, fault};
-pub use generation::Generation;
+pub use generation_reader::GenerationReader;
 pub use key::{Key, Quantity};
 pub use rewriting::{Age, Fault, History, Image, Rewriter, between};
 pub use rules::{Letter, LetterId, Rewrite, Rule, Rules, Template};

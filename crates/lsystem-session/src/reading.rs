@@ -10,7 +10,7 @@ use crate::pace::{STEP, WORK};
 use crate::session::Session;
 use crate::surface::Screen;
 use core::ops::Range;
-use lsystem::derive::{Ancestor, DerivedPart, Generation};
+use lsystem::derive::{Ancestor, DerivedPart, GenerationReader};
 use lsystem::drawing::{Around, Origin, Segment, StyleChange};
 use lsystem::render::{
     Closeup, Near, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, seen_from, segment_near,
@@ -217,7 +217,7 @@ impl<S: Screen> Session<S> {
     fn string_length(&self, generation: u32) -> Option<String> {
         let reader = self.reader(generation)?;
         let symbols = reader.symbols()?;
-        if symbols < u128::MAX || matches!(reader, Generation::Remembered(..)) {
+        if symbols < u128::MAX || matches!(reader, GenerationReader::Remembered(..)) {
             return Some(symbols.to_string());
         }
         let mut counter = self.system.as_ref()?.symbols(generation);
@@ -271,9 +271,9 @@ impl<S: Screen> Session<S> {
         self.shown.as_ref()?.symbol_of_polygon(self.system.as_ref()?, self.iterations(), number)
     }
 
-    fn reader(&self, generation: u32) -> Option<Generation<'_>> {
-        let word = self.system.as_ref()?.word(generation).map(Generation::Counted);
-        word.or_else(|| Some(Generation::Remembered(self.history.as_ref()?, generation)))
+    fn reader(&self, generation: u32) -> Option<GenerationReader<'_>> {
+        let word = self.system.as_ref()?.word(generation).map(GenerationReader::Counted);
+        word.or_else(|| Some(GenerationReader::Remembered(self.history.as_ref()?, generation)))
     }
 
     fn link(&self, ancestor: Ancestor) -> AncestryLink {

@@ -3,7 +3,7 @@
 use crate::naive;
 use crate::naive::Module;
 use crate::naive::systems::{Features, system};
-use lsystem::derive::{Ancestor, Generation, History};
+use lsystem::derive::{Ancestor, GenerationReader, History};
 use lsystem::drawing::symbol_of_polygon;
 use lsystem::render::fitted_polygon;
 use lsystem::{Definition, Figure, Limits, Plane, Progress, Solid, System, draw};
@@ -24,7 +24,7 @@ fn ancestry(words: &[Vec<Module>], mut index: usize) -> Vec<Ancestor> {
 }
 
 fn check<'a>(
-    reader: impl Fn(u32) -> Generation<'a>,
+    reader: impl Fn(u32) -> GenerationReader<'a>,
     words: &[Vec<Module>],
     drawn: &[usize],
     place: usize,
@@ -93,9 +93,9 @@ proptest! {
         let drawn = naive::segments_of_each(&system, &words[n as usize]);
         let history = remember(&system, n, piece);
         prop_assert!(history.is_complete());
-        check(|generation| Generation::Remembered(&history, generation), &words, &drawn, place.into())?;
+        check(|generation| GenerationReader::Remembered(&history, generation), &words, &drawn, place.into())?;
         if system.word(n).is_some() {
-            check(|generation| Generation::Counted(system.word(generation).unwrap()), &words, &drawn, place.into())?;
+            check(|generation| GenerationReader::Counted(system.word(generation).unwrap()), &words, &drawn, place.into())?;
         }
         // The segments are numbered as in the drawing.
         if naive::images(&system.grammar, system.seed, &words[n as usize]).is_some() {

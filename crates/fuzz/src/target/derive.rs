@@ -4,7 +4,7 @@ use crate::gauge::WORK;
 use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
-use lsystem::derive::{Generation, History, Tally};
+use lsystem::derive::{GenerationReader, History, Tally};
 use lsystem::drawing::{expand_once, expand_symbol, kind, legend, why_empty};
 use lsystem::syntax::print_module;
 use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, expand};
@@ -101,8 +101,8 @@ pub(super) fn access(source: &mut Source<'_>, gauge: &mut Gauge) {
     let index = [u128::from(source.word() % 500), source.pick(&[0, 1, u128::MAX, 1 << 64, 12_345])];
     for (name, is_counted) in [("counted", true), ("remembered", false)] {
         let reader = |generation| match is_counted {
-            true => system.word(generation).map(Generation::Counted),
-            false => history.as_ref().map(|history| Generation::Remembered(history, generation)),
+            true => system.word(generation).map(GenerationReader::Counted),
+            false => history.as_ref().map(|history| GenerationReader::Remembered(history, generation)),
         };
         let Some(last) = gauge.call("word", || reader(n)) else { continue };
         gauge.reach(name);

@@ -4,14 +4,14 @@ use crate::{Ancestor, DerivedPart, History, Word};
 
 /// A generation that can be read from any place on.
 #[derive(Clone, Debug)]
-pub enum Generation<'a> {
+pub enum GenerationReader<'a> {
     /// By the numbers of symbols that letters derive.
     Counted(Word<'a>),
     /// From a remembered derivation; the number of the generation.
     Remembered(&'a History, u32),
 }
 
-impl Generation<'_> {
+impl GenerationReader<'_> {
     /// The number of symbols, saturating; `None` if the generation is not derived.
     #[must_use]
     pub fn symbols(&self) -> Option<u128> {
