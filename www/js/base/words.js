@@ -41,7 +41,10 @@ async function catalogue(language) {
     const english = { language: 'en', words: {} };
     if (language === 'en') return english;
     try {
-        return { language, words: await jsonOf(`lang/${language}/${document.documentElement?.dataset['catalogue'] ?? 'words'}.json`) };
+        return {
+            language,
+            words: await jsonOf(`lang/${language}/${document.documentElement?.dataset['catalogue'] ?? 'words'}.json`),
+        };
     } catch {
         // A page without its words is still a page.
         return english;

@@ -31,7 +31,14 @@ export async function savePackage(asked) {
     const [steps, exercise, program] = await Promise.all(['package.html', 'exercise.html', 'program.html'].map(page));
     const more = language === 'en' ? {} : await jsonOf(`lang/${language}/programs.json`);
     const catalogue = JSON.stringify({ ...more, ...words });
-    const made = await tool.call('package', { ...asked, steps: String(steps), exercise: String(exercise), program: String(program), language, catalogue });
+    const made = await tool.call('package', {
+        ...asked,
+        steps: String(steps),
+        exercise: String(exercise),
+        program: String(program),
+        language,
+        catalogue,
+    });
     tool.leave();
     const name = nameOf(asked.title) || (asked.exercises.length === 0 ? 'l-system_lesson' : 'l-system_exercises');
     download(new Blob([made], { type: 'application/zip' }), `${name}_scorm_${asked.standard}.zip`);

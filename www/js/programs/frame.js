@@ -5,7 +5,7 @@
 
 /**
  * The script of the frame. It keeps the interpreter's files, and the memory of a started interpreter (only of one that
- * has not heard of any program yet), and hands them to each worker. Its hash stands in the policy of `program.html`.
+ * has not heard of any program yet), and hands them to each worker; texts that are too long stay here. Its hash stands in the policy of `program.html`.
  */
 export const BOOT = `let kept={},worker=null,told=false;const urls={};
 onmessage=async({data:{id,keep,script,first,tell}})=>{
@@ -14,13 +14,13 @@ if(tell){told=true;worker?.postMessage(tell);return}
 worker?.terminate();worker=null;if(!script)return;
 urls[script]??=URL.createObjectURL(new Blob([script],{type:"text/javascript"}));
 const own=worker=new Worker(urls[script]);told=false;
-own.onmessage=({data})=>{if(own!==worker)return;if(data.snapshot){if(!told)kept.snapshot=data.snapshot}else parent.postMessage({id,said:data},"*")};
+own.onmessage=({data})=>{if(own!==worker||[data.value,data.printed].some((text)=>text?.length>9e6))return;if(data.snapshot){if(!told)kept.snapshot=data.snapshot}else parent.postMessage({id,said:data},"*")};
 own.onerror=(event)=>{event.preventDefault();if(own===worker)parent.postMessage({id,said:{crash:event.message}},"*")};
 own.postMessage({...first,...(first.python?kept:{})})};
 parent.postMessage({ready:true},"*");`;
 
 /** The hash of {@link BOOT}. */
-export const HASH = 'sha256-ltcvORy4yq47S26NQowp7X+ksroAOayD3EpKR27DFng=';
+export const HASH = 'sha256-gLZtm95lPDOxTIHG/SF21PbkxAnP/nPmldHm8UvTD2U=';
 
 /** What the frame and its workers may do: no requests, no storage, no evaluated texts. */
 const POLICY = `default-src 'none'; script-src '${HASH}' blob: 'wasm-unsafe-eval'; worker-src blob:`;

@@ -28,7 +28,13 @@ export function isSame(a, b) {
 }
 
 /** The result of a call; undefined if it has none. @param {Given | undefined} given */
-export const resultOf = (given) => (given?.value === undefined ? undefined : JSON.parse(given.value));
+export function resultOf(given) {
+    try {
+        return given?.value === undefined ? undefined : JSON.parse(given.value);
+    } catch {
+        return undefined;
+    }
+}
 
 /** The calls of a run, by function. @param {readonly Wanted[]} functions */
 export const callsOf = (functions) => functions.flatMap(({ name, tests }) => tests.map(({ args }) => ({ name, args })));

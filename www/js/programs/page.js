@@ -26,6 +26,8 @@ import { packed, programIn, readExercise, readTask } from './tasks.js';
 
 /** Programs run again after a pause in typing of this length, in milliseconds. */
 const PAUSE = 800;
+/** The address follows after this time: browsers refuse many changes of it. */
+const KEEP = 300;
 /** Links that are longer are cut by some platforms, in characters. */
 const LONG = 2000;
 /** @type {Readonly<Record<Language, string>>} */
@@ -77,7 +79,7 @@ async function open(about) {
     const wanted = linked?.language ?? kept.language;
     /** @type {Language} */
     let language = task.languages.includes(wanted) ? wanted : (task.languages[0] ?? 'python');
-    let [hasRun, isTouched, timer, hints, shown] = [false, false, 0, 0, ''];
+    let [hasRun, isTouched, timer, keeping, hints, shown] = [false, false, 0, 0, 0, ''];
     /** @type {AbortController | null} */
     let running = null;
 
@@ -91,7 +93,9 @@ async function open(about) {
     const editor = createEditor(html('editor'), (text) => {
         codes[language] = text;
         isTouched = true;
-        void keep();
+        storage.write(draft, { ...codes, language });
+        clearTimeout(keeping);
+        keeping = window.setTimeout(keep, KEEP);
         clearTimeout(timer);
         running?.abort();
         setText(html('result'), '');

@@ -26,6 +26,22 @@ const LONGEST_START = 90_000;
 /** Why a program was ended. @type {Fault} */
 const ENDLESS = { type: 'Endless', message: '', line: null };
 
+/** What a worker says of a call. A program may speak in its place, so only values of the right kinds are taken. @param {any} said @param {number} at @returns {Given} */
+function givenOf({ value, nothing, fault, ms, changed, printed }, at) {
+    const text = (/** @type {unknown} */ one) => (typeof one === 'string' ? one : '');
+    return {
+        at,
+        ...(typeof value === 'string' ? { value } : {}),
+        ...(fault
+            ? { fault: { type: text(fault.type), message: text(fault.message), line: Number(fault.line) || null } }
+            : {}),
+        nothing: nothing === true,
+        ms: Number(ms) || 0,
+        changed: changed === true,
+        printed: text(printed),
+    };
+}
+
 /**
  * @param {(told: string, part: number | null) => void} progress of loading the interpreter: words, and the part that is loaded
  */
@@ -135,10 +151,12 @@ export function createRunner(progress) {
                 present.hear = (said) => {
                     if (said.done) return stop(null);
                     if (said.crash !== undefined) return stop({ type: 'Crash', message: said.crash, line: null });
-                    wait();
                     if (said.at !== at) return;
-                    if (at < 0) ({ own: ran.own = [], printed: ran.printed, fault: ran.fault = null } = said);
-                    else ran.results[at] = said;
+                    wait();
+                    const given = givenOf(said, at);
+                    if (at < 0) [ran.printed, ran.fault] = [given.printed, given.fault ?? null];
+                    else ran.results[at] = given;
+                    if (at < 0 && Array.isArray(said.own)) ran.own = said.own.map(String);
                     if (ran.fault) return stop(null);
                     at += 1;
                 };

@@ -149,6 +149,11 @@ test('endless loops, much output and many calls end in words, and the next progr
             ['return rules[symbol}', /^Line 2: This is not written/],
             ['return rule[symbol];}', /Line 2: The name rule/],
             ['rules[symbol] ??= symbol; return rules[symbol];}', /changes what it is given/],
+            // It speaks in the harness's place: what it says is no result.
+            [
+                "DedicatedWorkerGlobalScope.prototype.postMessage.call(self, { at: 0, value: '{', printed: 5, fault: 3 }); return symbol;}",
+                /^0 of 4/,
+            ],
             ['return rules[symbol] ?? symbol;}', /^1 of 4/],
         ]))
             assert.match(await run(page, head + body), words, body);
