@@ -30,6 +30,7 @@ const WORDS = {
         say`The name ${nameIn(message)} is not known here. Is it written in the same way everywhere, and set before?`,
     KeyError: (message) => say`The dictionary has no entry ${message}. Symbols without a rule stay as they are.`,
     IndexError: () => say`The list is shorter than the index, or it is empty. Counting begins at 0.`,
+    EOFError: () => say`The program waits for input, and nobody types here.`,
     ZeroDivisionError: () => say`Something is divided by zero.`,
     AttributeError: (message) => say`A value has not what is behind its dot: ${message}.`,
     TypeError: (message) => {

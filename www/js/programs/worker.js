@@ -47,6 +47,7 @@ function work() {
         const python = await loadPyodide({
             indexURL: 'https://python.invalid/',
             createPyodideModule,
+            stdin: () => null,
             lockFileContents: stringify({ info: lock, packages: {} }),
             ...(snapshot ? { _loadSnapshot: snapshot } : { _makeSnapshot: true }),
         });

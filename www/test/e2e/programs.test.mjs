@@ -192,7 +192,7 @@ const BROKEN = [
     ['def f0(word):\nreturn word', /^Line 2: The indentation/],
     ['def f0(word):\n    if word:\n\treturn word', /^Line 3: Tabs and blanks/],
     ['import turtle_of_others', /^Line 1: An error: No module/],
-    ['word = input()', /^Line 1: An error/],
+    ['word = input()', /^Line 1: The program waits for input/],
     ['while True:\n    pass', /ended after 5 seconds/],
 ];
 /** The turtle, with one part in place of another. @param {string} from @param {string} to */
