@@ -30,7 +30,7 @@ const flat = ([x = 0, y = 0, z = 0]) => [x + 0.35 * z, y + 0.18 * z];
  */
 export function drawLines(canvas, lines, frame, { ink, wrong }) {
     const ratio = Math.min(2, devicePixelRatio || 1);
-    const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
+    const [width = 0, height = 0] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.round(side * ratio));
     const context = canvas.getContext('2d');
     if (!context || width < 2 || height < 2) return;
     [canvas.width, canvas.height] = [width, height];

@@ -5,6 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { GIVEN, GIVEN_PYTHON } from '../../js/programs/given.js';
+import { violations } from './axe.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, withPage } from './browser.mjs';
 
 after(close);
@@ -54,6 +55,7 @@ test('the functions of the assignment in JavaScript draw the plant, and the page
         assert.match(await run(page), /^Solved/);
         assert.equal(await page.textContent('#plant-words'), 'The same picture, by your own functions.');
         assert.equal(await page.locator('details[data-state=right]').count(), 4);
+        assert.deepEqual(await violations(page), []);
         await page.fill('#code', 'function expand(axiom, rules, n) { return axiom; }');
         // It runs again when typing pauses.
         await page.waitForFunction(() => document.getElementById('result')?.textContent?.startsWith('0 of 4'));
