@@ -97,12 +97,9 @@ export function createPlants(task, drawing, { again, time }) {
             if (!given || given.fault || !Number.isFinite(symbols)) break;
             times.push({ n: at, symbols, own: given.ms, engine: symbols > MOST_SYMBOLS ? null : await engineTime(at) });
         }
-        setText(
-            html('plant-words'),
-            times.length === 0
-                ? say`There is no word to measure yet.`
-                : say`Both make the same words. The engine also compares them.`,
-        );
+        const isRight = times.every(({ n, symbols }) => TRUTH[drawing.word](start, rules, n).length === symbols);
+        const words = isRight ? say`Both make words of the same length. The engine also compares them.` : '';
+        setText(html('plant-words'), times.length === 0 ? say`There is no word to measure yet.` : words);
         html('times').replaceChildren(...(times.length > 0 ? timesOf(times) : []));
     }
 
