@@ -233,17 +233,9 @@ async function mark(self, text) {
         if (turn !== self.marking) return;
         if (program) {
             const { runClass } = await import('../programs/class.js');
-            const ran = await runClass(
-                program,
-                self.lines.map(({ row }) => row),
-                turn.signal,
-                (row, at) => {
-                    self.lines[at] = { row, element: lineOf(row, null, hasVariants), number: at };
-                    setText(status, say`Marking… ${at + 1} of ${all}`);
-                },
-            );
-            if (turn !== self.marking) return;
-            Object.assign(done, ran);
+            const shown = (/** @type {MarkedAnswer} */ row, /** @type {number} */ number) =>
+                (self.lines[number] = { row, element: lineOf(row, null, hasVariants), number });
+            Object.assign(done, await runClass(program, self.lines, turn.signal, shown));
         }
         self.csv = done.csv;
         showMistakes(self, done.mistakes);

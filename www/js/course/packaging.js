@@ -28,17 +28,11 @@ const nameOf = (title) =>
 export async function savePackage(asked) {
     if (isWhole()) throw ALONE;
     const page = async (/** @type {string} */ name) => (await responseOf(name)).text();
-    const [steps, exercise, program] = await Promise.all(['package.html', 'exercise.html', 'program.html'].map(page));
+    const names = ['package.html', 'exercise.html', 'program.html'];
+    const [steps = '', exercise = '', program = ''] = await Promise.all(names.map(page));
     const more = language === 'en' ? {} : await jsonOf(`lang/${language}/programs.json`);
     const catalogue = JSON.stringify({ ...more, ...words });
-    const made = await tool.call('package', {
-        ...asked,
-        steps: String(steps),
-        exercise: String(exercise),
-        program: String(program),
-        language,
-        catalogue,
-    });
+    const made = await tool.call('package', { ...asked, steps, exercise, program, language, catalogue });
     tool.leave();
     const name = nameOf(asked.title) || (asked.exercises.length === 0 ? 'l-system_lesson' : 'l-system_exercises');
     download(new Blob([made], { type: 'application/zip' }), `${name}_scorm_${asked.standard}.zip`);

@@ -19,13 +19,13 @@ const cell = (value) =>
 /**
  * Marks the answers of these rows, and tells each row. Returns the table as CSV, and the mistakes that several have.
  * @param {string} x the exercise
- * @param {readonly MarkedAnswer[]} rows
+ * @param {readonly {row: MarkedAnswer}[]} lines
  * @param {AbortSignal} signal
- * @param {(row: MarkedAnswer, at: number) => void} marked
+ * @param {(row: MarkedAnswer, at: number) => unknown} marked
  */
-export async function runClass(x, rows, signal, marked) {
+export async function runClass(x, lines, signal, marked) {
     const frame = make('iframe', { hidden: true, title: '', src: `program.html#v=1&x=${x}&class=1` });
-    const all = [...rows];
+    const all = lines.map(({ row }) => row);
     document.body.append(frame);
     try {
         await new Promise((resolve, reject) => {
@@ -75,8 +75,8 @@ export async function runClass(x, rows, signal, marked) {
     const mistakes = [...found]
         .map(([words, answers]) => ({ words, answers }))
         .sort((a, b) => b.answers.length - a.answers.length);
-    const lines = all.map(({ name, by, isSolved, agreement, words, link }) =>
+    const cells = all.map(({ name, by, isSolved, agreement, words, link }) =>
         [name, by, isSolved ? 'yes' : 'no', Math.floor(100 * agreement), words, link ?? ''].map(cell).join(','),
     );
-    return { csv: ['name,by,solved,agreement_percent,remark,link', ...lines, ''].join('\n'), mistakes };
+    return { csv: ['name,by,solved,agreement_percent,remark,link', ...cells, ''].join('\n'), mistakes };
 }
