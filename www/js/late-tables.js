@@ -9,6 +9,7 @@ export const ASKS = /* @__PURE__ */ Object.freeze({
     'text': { label: 'the string', task: 'Find rules that derive the same string.', isSearched: false, isText: true },
     'segments': { label: 'the number of segments', task: 'Find rules that draw as many segments as the target.', isSearched: false, isText: false },
     'statistics': { label: 'the statistics over many seeds', task: 'Find rules of chance whose drawings have the same statistics.', isSearched: false, isText: false },
+    'program': { label: 'the results of a program', task: 'Write the functions, and see what they draw.', isSearched: false, isText: false },
 });
 
 /** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */

@@ -5,6 +5,10 @@
  */
 export type AboutClass = { title: string, 
 /**
+ * The exercise, if it asks for programs, which the page runs; else empty.
+ */
+program: string, 
+/**
  * The number of answers.
  */
 answers: number, 
@@ -17,6 +21,10 @@ variants: number, };
  * The part of an exercise that a student sees.
  */
 export type AboutExercise = { title: string, task: string, hints: Array<string>, asks: Asks, 
+/**
+ * The functions to write.
+ */
+program: string, 
 /**
  * The number of variants besides the target: each student gets one.
  */
@@ -81,7 +89,7 @@ place: Array<number>, };
 /**
  * The property in which an answer must equal the target.
  */
-export type Asks = "picture" | "text" | "segments" | "statistics";
+export type Asks = "picture" | "text" | "segments" | "statistics" | "program";
 
 /**
  * A system that was found, or that comes close.
@@ -276,6 +284,11 @@ first: First,
  * The property in which an answer must equal the target.
  */
 asks: Asks, 
+/**
+ * The functions to write, if a program is asked for: a ready-made set, or own ones with examples
+ * (`www/js/programs/tasks.js` reads the text).
+ */
+program: string, 
 /**
  * The most symbols that the student's rules may have.
  */

@@ -114,7 +114,7 @@ export {};
  */
 /** @typedef {{file: MakeFile}} ExportCalls */
 /** For formats of pixels. @typedef {{pixels: MakeFile}} PictureCalls */
-/** The call of the tool that makes packages for learning systems. @typedef {{package: {asked: {exercises: string[], title: string, standard: string, steps: string, exercise: string, language: string, catalogue: string}, answer: Uint8Array<ArrayBuffer>}}} PackageCalls */
+/** The call of the tool that makes packages for learning systems. @typedef {{package: {asked: {exercises: string[], title: string, standard: string, steps: string, exercise: string, program: string, language: string, catalogue: string}, answer: Uint8Array<ArrayBuffer>}}} PackageCalls */
 /** The call of the tool that reads other notations; it answers null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
 /** The call of the tool that writes other notations. @typedef {{writeAs: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} WriteCalls */
 /**

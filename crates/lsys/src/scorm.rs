@@ -21,7 +21,9 @@ pub(crate) fn package(exercises: &[String], to: &Path, options: &ScormOptions) -
     let page = |page: Page| page.html(options.pages.as_ref().map(|folder| folder.join(page.name)).as_deref());
     let (steps, exercise) = (page(STEPS)?, page(EXERCISE)?);
     let scorm = Scorm { title: &options.title, exercises: &exercises, standard: options.standard };
-    let pages = ScormPages { steps: &steps, exercise: &exercise, words: language::page_words() };
+    let program = options.pages.as_ref().and_then(|folder| std::fs::read_to_string(folder.join("program.html")).ok());
+    let pages =
+        ScormPages { steps: &steps, exercise: &exercise, program: program.as_deref(), words: language::page_words() };
     let package = scorm_package(&scorm, &pages).map_err(CommandFailure::Words)?;
     let file = Pending::write(to, |out| out.write_all(&package)).and_then(Pending::commit);
     file.map_err(|error| CommandFailure::io(to.display(), &error))?;

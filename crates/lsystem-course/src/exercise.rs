@@ -17,6 +17,8 @@ const MAX_HINTS: usize = 20;
 /// The most UTF-16 units of a title, and of a task or a hint.
 const MAX_TITLE: usize = 200;
 const MAX_WORDS: usize = 5_000;
+/// The most UTF-16 units of the functions to write.
+const MAX_PROGRAM: usize = 20_000;
 /// Mixed into the bytes of an exercise, so that a decoder for base64 and zlib alone does not show its rules.
 const VEIL: &[u8] = b"Lindenmayer 1968";
 
@@ -48,11 +50,13 @@ pub enum Asks {
     Segments,
     /// With rules of chance: the numbers of segments and the sizes over many seeds.
     Statistics,
+    /// The results of functions that the student writes. The page runs them, and nothing else does.
+    Program,
 }
 
 impl Asks {
     /// All kinds, in the order in which they are offered.
-    pub const ALL: [Self; 4] = [Self::Picture, Self::Text, Self::Segments, Self::Statistics];
+    pub const ALL: [Self; 5] = [Self::Picture, Self::Text, Self::Segments, Self::Statistics, Self::Program];
 
     /// The name in an exercise's JSON.
     #[must_use]
@@ -62,6 +66,7 @@ impl Asks {
             Self::Text => "text",
             Self::Segments => "segments",
             Self::Statistics => "statistics",
+            Self::Program => "program",
         }
     }
 
@@ -73,6 +78,7 @@ impl Asks {
             Self::Text => word!("the string"),
             Self::Segments => word!("the number of segments"),
             Self::Statistics => word!("the statistics over many seeds"),
+            Self::Program => word!("the results of a program"),
         }
     }
 
@@ -84,6 +90,7 @@ impl Asks {
             Self::Text => word!("Find rules that derive the same string."),
             Self::Segments => word!("Find rules that draw as many segments as the target."),
             Self::Statistics => word!("Find rules of chance whose drawings have the same statistics."),
+            Self::Program => word!("Write the functions, and see what they draw."),
         }
     }
 
@@ -147,6 +154,10 @@ pub struct Exercise {
     pub first: First,
     /// The property in which an answer must equal the target.
     pub asks: Asks,
+    /// The functions to write, if a program is asked for: a ready-made set, or own ones with examples
+    /// (`www/js/programs/tasks.js` reads the text).
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub program: String,
     /// The most symbols that the student's rules may have.
     pub most_symbols: Option<u32>,
     /// The agreement of the ink that counts as solved, from 0 to 1; `None` if only the same picture counts.
@@ -188,6 +199,7 @@ impl Exercise {
     pub fn within_limits(mut self) -> Self {
         cut(&mut self.title, MAX_TITLE);
         cut(&mut self.task, MAX_WORDS);
+        cut(&mut self.program, MAX_PROGRAM);
         self.hints.truncate(MAX_HINTS);
         self.hints.iter_mut().for_each(|hint| cut(hint, MAX_WORDS));
         self.variants.truncate(MAX_VARIANTS);

@@ -113,7 +113,7 @@ impl Marker {
         let target = Sketching::new(&exercise.target)?.finish().map_err(one)?;
         let (mut text, mut sample) = (None, None);
         match exercise.asks {
-            Asks::Picture | Asks::Segments => {}
+            Asks::Picture | Asks::Segments | Asks::Program => {}
             Asks::Text => text = Some(string(&exercise.target)?),
             Asks::Statistics => {
                 let mut sampling = Sampling::new(&exercise.target, SEEDS[0])?;
@@ -261,6 +261,9 @@ impl Marker {
     fn compared(&mut self, marking: &Marking, own: &Sketch) -> Grade {
         match self.exercise.asks {
             Asks::Text => self.compared_texts(marking, own),
+            Asks::Program => {
+                self.marked(marking, own, 0.0, None, say!("Programs run in the page: mark these answers there."))
+            }
             Asks::Segments => {
                 let found = own.segments(&marking.whole);
                 let (Some(expected), Some(found)) = (&self.segments, &found) else {

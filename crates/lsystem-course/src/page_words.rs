@@ -34,6 +34,7 @@ impl PageWords<'_> {
         let file = format!("lang/{}/words.json", self.language);
         let element = format!("\n<script type=\"text/plain\" data-file=\"{file}\">{}</script>", ascii(&words));
         let (head, body) = page.split_at(page.find("</title>")? + "</title>".len());
+        let head = head.replacen(" data-catalogue=\"programs\"", "", 1);
         let head = head.replacen("<html lang=\"en\"", &format!("<html lang=\"{}\"", self.language), 1);
         Some(without_requests(&head) + &element + &without_scripts(body))
     }

@@ -6,7 +6,7 @@
 mod manifest;
 
 use crate::page_words::without_requests;
-use crate::{Exercise, PageWords};
+use crate::{Asks, Exercise, PageWords};
 use lsystem_base::say;
 use lsystem_base::words::said;
 use miniz_oxide::deflate::compress_to_vec;
@@ -26,6 +26,8 @@ const STEPS: [&str; 2] = ["<!-- steps -->", "<!-- /steps -->"];
 /// The file that a learning system opens, and the file that its frames show.
 const PAGE: &str = "index.html";
 const EXERCISE: &str = "exercise.html";
+/// The page of exercises whose answer is a program, to which that of exercises leads.
+const PROGRAM: &str = "program.html";
 const READ_ME: &str = "read-me.txt";
 
 /// A standard that a package follows.
@@ -76,6 +78,8 @@ pub struct ScormPages<'a> {
     pub steps: &'a str,
     /// `exercise.html`: the page of an exercise in one file.
     pub exercise: &'a str,
+    /// `program.html`: the page of an exercise whose answer is a program, for packages with one.
+    pub program: Option<&'a str>,
     /// The words of the package's language; none for English.
     pub words: Option<PageWords<'a>>,
 }
@@ -107,7 +111,11 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
     let language = pages.words.map_or("en", |words| words.language);
     let page = page(scorm, &told(pages.steps)?, language, &id, &title, &exercises).ok_or_else(foreign)?;
     let exercise = told(pages.exercise)?;
-    let manifest = manifest::manifest(scorm.standard, &id, &title);
+    let program = match exercises.iter().any(|exercise| exercise.asks == Asks::Program) {
+        true => Some(told(pages.program.ok_or_else(|| say!("The page {} is missing.", PROGRAM))?)?),
+        false => None,
+    };
+    let manifest = manifest::manifest(scorm.standard, &id, &title, program.is_some());
     let read_me = read_me(scorm, &title, &exercises);
     let files = [
         (manifest::NAME, manifest.as_bytes()),
@@ -115,6 +123,8 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
         (EXERCISE, exercise.as_bytes()),
         (READ_ME, read_me.as_bytes()),
     ];
+    let program = program.iter().map(|page| (PROGRAM, page.as_bytes()));
+    let files: Vec<_> = files.into_iter().chain(program).collect();
     zip(&files).map_err(|error| say!("The package cannot be written ({}).", error))
 }
 
@@ -256,7 +266,7 @@ mod tests {
     }
 
     fn package(title: &str, exercises: &[String]) -> Result<Vec<(String, String)>, String> {
-        let pages = ScormPages { steps: STEPS_PAGE, exercise: "<p>exercise", words: None };
+        let pages = ScormPages { steps: STEPS_PAGE, exercise: "<p>exercise", program: Some("<p>program"), words: None };
         let scorm = Scorm { title, exercises, standard: ScormStandard::Scorm12 };
         let zip = scorm_package(&scorm, &pages)?;
         assert_eq!(zip, scorm_package(&scorm, &pages)?, "equal contents give equal bytes");
@@ -291,12 +301,21 @@ mod tests {
     }
 
     #[test]
+    fn exercises_that_ask_for_programs_bring_their_page() {
+        let text = Exercise { asks: Asks::Program, program: "set: practical-1".into(), ..Exercise::default() }.write();
+        assert_eq!(Exercise::read(&text).unwrap().program, "set: practical-1");
+        let files = package("", &[text]).unwrap();
+        assert_eq!(files[4], ("program.html".to_owned(), "<p>program".to_owned()));
+        assert!(files[0].1.contains("<file href=\"program.html\"/>"), "{}", files[0].1);
+    }
+
+    #[test]
     fn both_pages_have_the_words_of_the_language() {
         let catalogue = r#"{"lesson": "Lektion", "exercise": {"one": "Aufgabe", "other": "Aufgaben"}, "Nowhere": "x",
             "Draw it": "Zeichne sie"}"#;
         let words = Some(PageWords { language: "de", catalogue });
         let exercise = "<html lang=\"en\"><title>E</title><p>exercise";
-        let pages = ScormPages { steps: STEPS_PAGE, exercise, words };
+        let pages = ScormPages { steps: STEPS_PAGE, exercise, program: None, words };
         let scorm = Scorm { title: "", exercises: &[], standard: ScormStandard::Scorm12 };
         let files = files(&scorm_package(&scorm, &pages).unwrap());
         let steps = "<script type=\"text/plain\" data-file=\"lang/de/words.json\">{\"lesson\":\"Lektion\"}</script>";
@@ -338,7 +357,7 @@ mod tests {
         assert_eq!(damaged, "The exercise is damaged or cut off.");
         let many = vec![exercise("", "F -> FF"); MAX_EXERCISES + 1];
         assert!(package("", &many).unwrap_err().contains("100"));
-        let pages = ScormPages { steps: "<p>", exercise: "", words: None };
+        let pages = ScormPages { steps: "<p>", exercise: "", program: None, words: None };
         let scorm = Scorm { title: "", exercises: &[], standard: ScormStandard::Scorm2004 };
         assert!(scorm_package(&scorm, &pages).unwrap_err().contains("another version"));
     }

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
 use lsystem::Diagnostic;
-use lsystem::course::{Exercise, Marker};
+use lsystem::course::{Asks, Exercise, Marker};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -40,7 +40,7 @@ pub(crate) fn try_out(exercise: &Exercise) -> Result<Option<String>> {
     let mut answer = exercise.target.clone();
     answer.rules = exercise.own_rules(&answer.rules);
     let mark = marker.mark(&answer);
-    if !mark.is_solved {
+    if !mark.is_solved && exercise.asks != Asks::Program {
         bail!("the target does not solve it: {} {}", mark.words, words(mark.errors));
     }
     if marker.mark(&exercise.start()).is_solved {

@@ -56,7 +56,9 @@ fn in_all_languages(root: &Path, make: impl Fn(Option<&Path>) -> Result<()>) -> 
 
 fn catalogues(root: &Path, site: &Path) -> Result<()> {
     let of_page = |entry: &DirEntry| {
-        !["lang", "docs", "gallery", "icons", "schema"].iter().any(|name| entry.path() == site.join(name))
+        !["lang", "docs", "gallery", "icons", "schema", "pyodide", "program.html"]
+            .iter()
+            .any(|name| entry.path() == site.join(name))
     };
     let files = WalkDir::new(site).into_iter().filter_entry(of_page).collect::<walkdir::Result<Vec<_>>>()?;
     let files = files.iter().filter(|entry| entry.file_type().is_file()).map(|entry| fs::read(entry.path()));
@@ -64,12 +66,16 @@ fn catalogues(root: &Path, site: &Path) -> Result<()> {
     let exercises = std::iter::once(fs::read(root.join("www/exercises.json")));
     let files = files.chain(exercises).collect::<std::io::Result<Vec<_>>>()?;
     let files: Vec<_> = files.iter().map(Vec::as_slice).collect();
+    // Few visits need the words of programs.
+    let program = fs::read(site.join("program.html"))?;
     for language in lsystem_catalogue::languages(&root.join("www/lang"))? {
-        let name = format!("lang/{language}/words.json");
-        let whole = fs::read_to_string(root.join("www").join(&name))?;
-        let words = words_in(&whole, &files).context(name.clone())?;
-        fs::create_dir_all(site.join("lang").join(&language))?;
-        fs::write(site.join(&name), words)?;
+        let folder = format!("lang/{language}");
+        let whole = fs::read_to_string(root.join("www").join(&folder).join("words.json"))?;
+        fs::create_dir_all(site.join(&folder))?;
+        for (name, files) in [("words.json", &files), ("programs.json", &vec![&*program])] {
+            let words = words_in(&whole, files).with_context(|| format!("{folder}/{name}"))?;
+            fs::write(site.join(&folder).join(name), words)?;
+        }
     }
     Ok(())
 }

@@ -18,6 +18,8 @@ use std::thread;
 const SCRIPTS: [&str; 5] = ["js/early.js", "js/exercise/lesson.js", PACKED, "l-system.js", "service-worker.js"];
 /// The script of packages for learning systems, which stands in their page.
 const PACKED: &str = "js/exercise/packed.js";
+/// The files of the interpreter for programs in Python, in its package.
+const INTERPRETER: [&str; 4] = ["pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide.mjs", "python_stdlib.zip"];
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
@@ -121,6 +123,7 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         ("embed.html", "embed.html", drawing, Alone::Elsewhere),
         ("exercise.html", "exercise.html", marking, Alone::Elsewhere),
         ("film.html", "film.html", playing.clone(), Alone::Elsewhere),
+        ("program.html", "program.html", vec![], Alone::Running),
     ];
     thread::scope(|scope| {
         let threads =
@@ -130,6 +133,9 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         let texts = threads.into_iter().map(joined).collect::<Result<Vec<_>>>()?;
         single.iter().zip(texts).try_for_each(|((_, file, ..), text)| files::write(&site.join(file), text))
     })?;
+    for name in INTERPRETER {
+        files::write(&site.join("pyodide").join(name), fs::read(www.join("node_modules/pyodide").join(name))?)?;
+    }
     // On the site, tools are in parts.
     let carried = wasms::ALONE.iter().flat_map(|tool| of(tool)).chain(["tools.wasm".to_owned()]);
     carried.into_iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
@@ -251,6 +257,12 @@ mod tests {
                 _ if name.extension().is_none_or(|ending| ending != "html") => continue,
                 // Examples for pages of others, which have the policies of their sites.
                 Some("course.html" | "simple.html") => vec![],
+                // The frame of programs has a script in the page.
+                Some("program.html") => {
+                    vec![
+                        shared[0].replace("'wasm-unsafe-eval'", &format!("'wasm-unsafe-eval' blob: '{}'", boot(&www)?)),
+                    ]
+                }
                 // Documents run no scripts and show drawings in frames.
                 Some("docs/page.html") => vec![
                     "default-src 'self'; script-src 'none'; frame-src 'self'; object-src 'none'; base-uri 'none'; \
@@ -266,6 +278,15 @@ mod tests {
             );
         }
         Ok(())
+    }
+
+    /// The hash that the frame of programs names for its script.
+    fn boot(www: &Path) -> Result<String> {
+        let script = fs::read_to_string(www.join("js/programs/frame.js"))?;
+        let text = script.split('`').nth(1).context("the frame has no script")?;
+        let hash = one_file::hash(text).trim_matches('\'').to_owned();
+        anyhow::ensure!(script.contains(&format!("HASH = '{hash}'")), "the hash of the frame's script is {hash}");
+        Ok(hash)
     }
 
     #[test]

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 /// The file of the notices, on the site and in packages.
 pub(crate) const FILE: &str = "notices.txt";
 
-/// The library of other people that the page carries, in `node_modules`.
-const BUNDLED: &str = "mediabunny";
+/// What other people made and the page carries, in `node_modules`.
+const BUNDLED: [&str; 2] = ["mediabunny", "pyodide"];
 
 /// What MIT asks for, for the few who publish the name of the licence only.
 const MIT: &str = include_str!("../../../LICENSE-MIT");
@@ -20,9 +20,7 @@ const MIT: &str = include_str!("../../../LICENSE-MIT");
 pub(crate) fn notices(workspace: &Workspace, roots: &[&str], target: &str, with_page: bool) -> Result<String> {
     let mut texts: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     let mut names = BTreeSet::new();
-    for part in
-        [compiled(workspace, roots, target)?, if with_page { vec![bundled(workspace)?] } else { vec![] }].concat()
-    {
+    for part in [compiled(workspace, roots, target)?, if with_page { bundled(workspace)? } else { vec![] }].concat() {
         names.insert(format!("{} ({})", part.name, part.licence));
         for text in part.texts {
             texts.entry(text).or_default().insert(part.name.clone());
@@ -129,11 +127,14 @@ fn licences_in(folder: &Path) -> Result<Vec<String>> {
     files.iter().filter(|(is_mit, _)| *is_mit || !is_chosen).map(|(_, path)| Ok(fs::read_to_string(path)?)).collect()
 }
 
-fn bundled(workspace: &Workspace) -> Result<Part> {
-    let folder = workspace.www().join("node_modules").join(BUNDLED);
-    let package: Value = serde_json::from_str(&fs::read_to_string(folder.join("package.json"))?)?;
-    let name = format!("{BUNDLED} {}", text(&package, "version"));
-    Ok(Part { name, licence: text(&package, "license"), texts: licences_in(&folder)? })
+fn bundled(workspace: &Workspace) -> Result<Vec<Part>> {
+    let part = |name: &str| {
+        let folder = workspace.www().join("node_modules").join(name);
+        let package: Value = serde_json::from_str(&fs::read_to_string(folder.join("package.json"))?)?;
+        let name = format!("{name} {}, {}", text(&package, "version"), text(&package, "homepage"));
+        Ok(Part { name, licence: text(&package, "license"), texts: licences_in(&folder)? })
+    };
+    BUNDLED.iter().map(|name| part(name)).collect()
 }
 
 #[cfg(test)]

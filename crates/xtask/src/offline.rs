@@ -11,8 +11,9 @@ use std::path::Path;
 const WORKER: &str = "service-worker.js";
 /// Files that are useless offline or that repeat the others, and an example for those who build pages.
 const LEFT_OUT: [&str; 6] = [WORKER, "playground.html", "sitemap.xml", "llms.txt", "simple.html", "core.js"];
-/// How the paths of such files begin: pages for those who do not know the playground yet, and pictures for installers.
-const BEGINNINGS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screen-"];
+/// How the paths of such files begin: pages for those who do not know the playground yet, pictures for installers,
+/// and the interpreter, of which few have a use.
+const BEGINNINGS_LEFT_OUT: [&str; 3] = ["gallery/", "icons/screen-", "pyodide/"];
 
 /// What the first screen needs, besides the page and its scripts.
 const FIRST: [&str; 6] =

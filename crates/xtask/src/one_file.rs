@@ -35,6 +35,8 @@ pub(crate) enum Alone {
     Always,
     /// On the site it may ask for words; elsewhere it does without.
     Elsewhere,
+    /// It runs programs of readers in a frame: its own policy names the frame's script, and keeps its words.
+    Running,
 }
 
 impl Maker<'_> {
@@ -55,11 +57,12 @@ impl Maker<'_> {
         let mut last = carried.iter().map(|name| self.carry(name.as_ref())).collect::<Result<String>>()?;
         let module = checked(self.bundler.module(&module)?)?;
         last += &format!("<script type=\"module\">{module}</script>\n");
-        let scripts = RefCell::new(vec![]);
+        let (scripts, own) = (RefCell::new(vec![]), RefCell::new(String::new()));
         let page = html::rewrite(
             &without_documents(&page)?,
             [
                 element!("meta[http-equiv=Content-Security-Policy]", |meta| {
+                    *own.borrow_mut() = meta.get_attribute("content").unwrap_or_default();
                     Ok(meta.set_attribute("content", POLICY)?)
                 }),
                 element!("link[rel=icon]", |icon| {
@@ -84,7 +87,14 @@ impl Maker<'_> {
         )?;
         ensure!(page.contains(POLICY), "the page has no content security policy");
         scripts.borrow_mut().push(hash(&module));
-        Ok(page.replacen(POLICY, &policy(&scripts.take(), &hash(&styles), alone), 1))
+        let allowed = match alone {
+            Alone::Running => own
+                .take()
+                .replace("script-src 'self'", &format!("script-src 'self' {}", scripts.take().join(" ")))
+                .replace("style-src 'self'", &format!("style-src {}", hash(&styles))),
+            _ => policy(&scripts.take(), &hash(&styles), alone),
+        };
+        Ok(page.replacen(POLICY, &allowed, 1))
     }
 
     /// A file as a script element of a type that browsers do not run.

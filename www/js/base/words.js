@@ -41,7 +41,8 @@ async function catalogue(language) {
     const english = { language: 'en', words: {} };
     if (language === 'en') return english;
     try {
-        return { language, words: await jsonOf(`lang/${language}/words.json`) };
+        const file = document.documentElement?.dataset['catalogue'] ?? 'words';
+        return { language, words: await jsonOf(`lang/${language}/${file}.json`) };
     } catch {
         // A page without its words is still a page.
         return english;

@@ -225,6 +225,7 @@ function exercise(self) {
             angle: 90,
             n: Math.min(state.iterations, 1),
         },
+        program: byId('maker-asks', HTMLSelectElement).value === 'program' ? text('maker-program').trim() : '',
         asks: /** @type {import('../protocol.js').Asks} */ (byId('maker-asks', HTMLSelectElement).value),
         mostSymbols: symbols === null ? null : Math.min(Math.max(0, Math.round(symbols)), MOST_SYMBOLS),
         tolerance: percent === null || percent <= 0 || percent >= 100 ? null : percent / 100,

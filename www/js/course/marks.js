@@ -210,11 +210,12 @@ async function mark(self, text) {
     const status = html('marks-status');
     setText(status, say`Marking…`);
     let all = 0;
-    let hasVariants = false;
+    let [hasVariants, program] = [false, ''];
     const progress = (/** @type {import('../protocol.js').ClassProgress} */ told) => {
         if (turn !== self.marking) return;
         if ('about' in told) {
-            [self.title, all, hasVariants] = [told.about.title, told.about.answers, told.about.variants > 1];
+            ({ title: self.title, answers: all, program } = told.about);
+            hasVariants = told.about.variants > 1;
             showHead(self, hasVariants);
             self.body?.replaceChildren();
             showMistakes(self, []);
@@ -230,6 +231,12 @@ async function mark(self, text) {
         const exercise = input('marks-exercise').value;
         const done = await tool.call('markClass', { exercise, text }, { signal: turn.signal, progress });
         if (turn !== self.marking) return;
+        if (program) {
+            const { runClass } = await import('../programs/class.js');
+            const shown = (/** @type {MarkedAnswer} */ row, /** @type {number} */ number) =>
+                (self.lines[number] = { row, element: lineOf(row, null, hasVariants), number });
+            Object.assign(done, await runClass(program, self.lines, turn.signal, shown));
+        }
         self.csv = done.csv;
         showMistakes(self, done.mistakes);
         const solved = self.lines.filter(({ row }) => row.isSolved).length;

@@ -2,7 +2,7 @@
 
 import { decimal } from '../base/numerals.js';
 import { download } from '../base/download.js';
-import { isWhole, responseOf } from '../base/files.js';
+import { isWhole, jsonOf, responseOf } from '../base/files.js';
 import { createTool } from '../engine/tool.js';
 import { language, say, words } from '../base/words.js';
 
@@ -28,9 +28,11 @@ const nameOf = (title) =>
 export async function savePackage(asked) {
     if (isWhole()) throw ALONE;
     const page = async (/** @type {string} */ name) => (await responseOf(name)).text();
-    const [steps, exercise] = await Promise.all([page('package.html'), page('exercise.html')]);
-    const catalogue = JSON.stringify(words);
-    const made = await tool.call('package', { ...asked, steps, exercise, language, catalogue });
+    const names = ['package.html', 'exercise.html', 'program.html'];
+    const [steps = '', exercise = '', program = ''] = await Promise.all(names.map(page));
+    const more = language === 'en' ? {} : await jsonOf(`lang/${language}/programs.json`);
+    const catalogue = JSON.stringify({ ...more, ...words });
+    const made = await tool.call('package', { ...asked, steps, exercise, program, language, catalogue });
     tool.leave();
     const name = nameOf(asked.title) || (asked.exercises.length === 0 ? 'l-system_lesson' : 'l-system_exercises');
     download(new Blob([made], { type: 'application/zip' }), `${name}_scorm_${asked.standard}.zip`);

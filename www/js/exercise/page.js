@@ -20,6 +20,8 @@ const exercise = await openExercise(location.hash, link?.state).catch((error) =>
     refusal = error instanceof Error ? say`The exercise cannot be opened: ${error.message}.` : String(error);
     return null;
 });
+// Programs have a page of their own.
+if (exercise?.about.asks === 'program') location.replace(`program.html${location.search}${location.hash}`);
 const { store, host, drawn } = createFrame({ link, refusal, task: exercise && taskOf(exercise), hasSteps: true });
 button('open-steps').addEventListener('click', createSteps(createTool('study'), () => drawn(store.state)).open);
 if (exercise) {

@@ -2,6 +2,6 @@
 
 /** @type {import('../tool.js').CallTable} */
 export const calls = {
-    package: ({ exercises, title, standard, steps, exercise, language, catalogue }) =>
-        wasm_bindgen.makePackage(exercises, title, standard, steps, exercise, language, catalogue),
+    package: ({ exercises, title, standard, steps, exercise, program, language, catalogue }) =>
+        wasm_bindgen.makePackage(exercises, title, standard, steps, exercise, program, language, catalogue),
 };

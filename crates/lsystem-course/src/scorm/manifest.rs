@@ -1,6 +1,6 @@
 //! The manifest of a package: one organization with one item, which is the page of steps.
 
-use super::{EXERCISE, PAGE, READ_ME, ScormStandard, escaped};
+use super::{EXERCISE, PAGE, PROGRAM, READ_ME, ScormStandard, escaped};
 
 /// The name that both standards demand, at the root of the zip.
 pub(super) const NAME: &str = "imsmanifest.xml";
@@ -41,8 +41,9 @@ const SCORM2004: Words = Words {
                  objectiveSetByContent=\"true\"/></imsss:sequencing>",
 };
 
-/// The manifest of a package with this name.
-pub(super) fn manifest(standard: ScormStandard, id: &str, title: &str) -> String {
+/// The manifest of a package with this name, and with the page of programs if it has that.
+pub(super) fn manifest(standard: ScormStandard, id: &str, title: &str, has_programs: bool) -> String {
+    let program = if has_programs { format!("\n      <file href=\"{PROGRAM}\"/>") } else { String::new() };
     let Words { head, version, kind, sequencing } = match standard {
         ScormStandard::Scorm12 => SCORM12,
         ScormStandard::Scorm2004 => SCORM2004,
@@ -68,7 +69,7 @@ pub(super) fn manifest(standard: ScormStandard, id: &str, title: &str) -> String
     <resource identifier=\"page\" type=\"webcontent\" adlcp:{kind}=\"sco\" href=\"{PAGE}\">
       <file href=\"{PAGE}\"/>
       <file href=\"{EXERCISE}\"/>
-      <file href=\"{READ_ME}\"/>
+      <file href=\"{READ_ME}\"/>{program}
     </resource>
   </resources>
 </manifest>

@@ -3,7 +3,7 @@
 use super::exercise::undrawable;
 use lsystem_base::say;
 use lsystem_base::words::shown;
-use lsystem_course::{Answer, ClassMarker, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
+use lsystem_course::{Answer, Asks, ClassMarker, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
 use lsystem_js::{from_js, to_js};
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -45,6 +45,8 @@ pub(crate) struct MistakeReport {
 #[derive(Serialize, TS)]
 pub(crate) struct AboutClass<'a> {
     title: &'a str,
+    /// The exercise, if it asks for programs, which the page runs; else empty.
+    program: &'a str,
     /// The number of answers.
     answers: usize,
     /// The number of variants, with the target.
@@ -88,7 +90,8 @@ impl ClassMarking {
     pub fn about(&self) -> Result<JsValue, JsValue> {
         let exercise = self.class.exercise();
         let answers = self.left.len() + self.marked.len();
-        to_js(&AboutClass { title: &exercise.title, answers, variants: 1 + exercise.variants.len() })
+        let program = if exercise.asks == Asks::Program { self.class.veiled() } else { "" };
+        to_js(&AboutClass { title: &exercise.title, program, answers, variants: 1 + exercise.variants.len() })
     }
 
     /// Marks the next answer; null after the last.

@@ -24,6 +24,8 @@ pub(crate) struct AboutExercise<'a> {
     task: &'a str,
     hints: &'a [String],
     asks: Asks,
+    /// The functions to write.
+    program: &'a str,
     /// The number of variants besides the target: each student gets one.
     variants: usize,
     axiom: Given,
@@ -100,6 +102,7 @@ impl OpenExercise {
             task: &exercise.task,
             hints: &exercise.hints,
             asks: exercise.asks,
+            program: &exercise.program,
             variants: exercise.variants.len(),
             axiom: exercise.axiom,
             angle: exercise.angle,

@@ -5,7 +5,7 @@ use lsystem_course::{PageWords, Scorm, ScormPages, ScormStandard, scorm_package}
 use wasm_bindgen::prelude::*;
 
 /// Makes a package for learning systems, the bytes of a zip. `exercises` are values of `x` in links; none stands for the
-/// lesson. `steps` and `exercise` are the pages `package.html` and `exercise.html` of the site, `standard` is `1.2` or
+/// lesson. `steps`, `exercise` and `program` are the pages `package.html`, `exercise.html` and `program.html` of the site, `standard` is `1.2` or
 /// `2004`. `catalogue` has the words of the package's language as JSON.
 ///
 /// # Errors
@@ -18,11 +18,12 @@ pub fn make_package(
     standard: &str,
     steps: &str,
     exercise: &str,
+    program: &str,
     language: &str,
     catalogue: &str,
 ) -> Result<Vec<u8>, JsValue> {
     let standard = ScormStandard::named(standard).ok_or_else(|| say!("There is no SCORM {}.", standard))?;
     let scorm = Scorm { title, exercises: &exercises, standard };
     let words = (language != "en").then_some(PageWords { language, catalogue });
-    scorm_package(&scorm, &ScormPages { steps, exercise, words }).map_err(JsValue::from)
+    scorm_package(&scorm, &ScormPages { steps, exercise, program: Some(program), words }).map_err(JsValue::from)
 }

@@ -44,9 +44,31 @@ const SINGLE: [&str; 5] = ["embed.html", "exercise.html", "film.html", "package.
 pub(super) fn site(workspace: &Workspace) -> Result<Measured> {
     let mut rows = Measured::new();
     for (path, bytes) in compressed(workspace)? {
-        if !SINGLE.contains(&path.as_str()) {
+        if !SINGLE.contains(&path.as_str()) && !is_of_programs(&path) {
             *rows.entry(row_of(&path)).or_default() += bytes;
         }
+    }
+    Ok(rows)
+}
+
+/// Whether a file is only for exercises whose answer is a program.
+fn is_of_programs(path: &str) -> bool {
+    path.starts_with("pyodide/") || path.ends_with("programs.json") || path == "program.html"
+}
+
+/// What exercises whose answer is a program cost: the interpreter, own code with the editor, words, and lines.
+pub(super) fn programs(workspace: &Workspace) -> Result<Measured> {
+    let mut rows = Measured::new();
+    for (path, bytes) in compressed(workspace)?.into_iter().filter(|(path, _)| is_of_programs(path)) {
+        let row = match path.rsplit('.').next() {
+            Some("html") => "bytes of the page, with its editor",
+            Some("json") => "bytes of its words",
+            _ => "bytes of the interpreter",
+        };
+        *rows.entry(row.to_owned()).or_default() += bytes;
+    }
+    if !rows.is_empty() {
+        rows.insert("lines of JavaScript".to_owned(), super::lines::count(&workspace.www().join("js/programs"), "js")?);
     }
     Ok(rows)
 }

@@ -42,10 +42,14 @@ pub(super) fn scripts(workspace: &Workspace) -> Result<Measured> {
     for name in SCRIPTS {
         rows.insert(name.to_owned(), count(&workspace.root.join(name), "js")?);
     }
+    // They have a section of their own.
+    if let Some(page) = rows.get_mut("www/js") {
+        *page -= count(&workspace.www().join("js/programs"), "js")?;
+    }
     Ok(rows)
 }
 
-fn count(folder: &Path, ending: &str) -> Result<f64> {
+pub(super) fn count(folder: &Path, ending: &str) -> Result<f64> {
     let is_wanted = |path: &Path| {
         let is_left_out = |name: &str| path.ends_with(name) || path.ends_with(format!("{name}.rs"));
         !LEFT_OUT.into_iter().any(is_left_out)

@@ -38,7 +38,7 @@ impl Kind {
     }
 }
 
-const KINDS: [Kind; 9] = [
+const KINDS: [Kind; 10] = [
     Kind { title: "Bytes of the site", margin: 0.03, measure: bytes::site },
     Kind { title: "Bytes of single files", margin: 0.03, measure: bytes::single },
     Kind { title: "Bytes before the first picture", margin: 0.03, measure: bytes::first },
@@ -46,6 +46,7 @@ const KINDS: [Kind; 9] = [
     Kind { title: "Lines of Rust for developers", margin: 0.03, measure: lines::tools },
     Kind { title: "Lines of JavaScript", margin: 0.03, measure: lines::scripts },
     Kind { title: "Packages of others", margin: 0.03, measure: packages::packages },
+    Kind { title: "Programs as answers", margin: 0.03, measure: bytes::programs },
     Kind { title: "Processor seconds of the test", margin: 0.25, measure: seconds::of_test },
     Kind { title: "Processor seconds of serve", margin: 0.25, measure: seconds::of_serve },
 ];
