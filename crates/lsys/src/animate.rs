@@ -8,7 +8,7 @@ use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
 use lsystem::base::fixed::Fixed;
 use lsystem::base::{MAX_SEGMENT_DIGITS, say};
-use lsystem::film::{Film, LIMITS, Script, dive_to, grow, turntable, turtle, wind, wind_strength};
+use lsystem::film::{Film, LIMITS, MAX_GIF_RATE, Script, dive_to, grow, turntable, turtle, wind, wind_strength};
 use lsystem::render::opening_camera;
 use lsystem::{Camera, Figure, Limits, Vantage};
 use pool::Pool;
@@ -30,6 +30,10 @@ pub(crate) fn animate(file: &Path, to: &Path, options: &FilmOptions, changes: &C
         Some(name) if name.to_ascii_lowercase().ends_with(".gif") => FilmFormat::Gif,
         _ => FilmFormat::Png,
     });
+    if format == FilmFormat::Gif && film.script().rate > MAX_GIF_RATE {
+        let told = say!("A GIF has at most {} frames a second: the film is as long, with fewer frames", MAX_GIF_RATE);
+        crate::say(&format!("{told}\n"));
+    }
     let pool = Pool::new(&film, limits)?;
     match (format, to.as_os_str() == "-") {
         (FilmFormat::Gif, true) => sink::gif_to_stdout(&pool),

@@ -28,6 +28,7 @@ const READERS: &[&str] = &[
     "lsystem-course/src/repair.rs",
     "lsystem-files/src/edit",
     "lsystem-files/src/edit.rs",
+    "lsystem-files/src/embed",
     "lsystem-files/src/embed.rs",
     "lsystem-files/src/json",
     "lsystem-files/src/json.rs",

@@ -1,8 +1,13 @@
 //! Systems in the metadata of pictures, and reading a system from any file of this library.
 
-use super::{png, read_json, xml};
+mod attachment;
+mod metadata;
+
+use super::{png, read_json};
 use lsystem_base::{LimitName, MAX_FILE, MAX_TEXT, say};
 use lsystem_syntax::{Definition, Diagnostic, Field};
+pub(super) use metadata::write_metadata;
+use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use std::borrow::Cow;
 
 /// The result of [`read_file`].
@@ -20,7 +25,7 @@ pub struct FileContent {
 /// picture may be cut off after the system.
 #[must_use]
 pub fn read_file(bytes: &[u8]) -> FileContent {
-    let plain = without_byte_order_mark(bytes);
+    let plain = plain(bytes);
     let bytes = &*plain;
     let too_long = || Diagnostic::limit(LimitName::Text, MAX_FILE as u64, None);
     let no_system = |picture: &str| {
@@ -30,9 +35,15 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
     let found = if png::is_png(bytes) {
         png::system_in(bytes).ok_or_else(|| no_system("PNG"))
     } else if is_pdf(bytes) {
-        attachment_in(bytes).ok_or_else(|| no_system("PDF"))
+        attachment::system_in(bytes).map(Cow::Owned).ok_or_else(|| {
+            let lost = no_system("PDF");
+            // Encrypted and damaged files, and ways to pack that are not read.
+            lost.hint(say!(
+                "If another program has saved this PDF, `pdfdetach -saveall FILE` may take the L-system out of it."
+            ))
+        })
     } else if is_xml(bytes) {
-        metadata_in(bytes).ok_or_else(|| no_system("SVG"))
+        metadata::system_in(bytes).map(Cow::Owned).ok_or_else(|| no_system("SVG"))
     } else if bytes.len() > MAX_FILE {
         Err(too_long())
     } else {
@@ -56,7 +67,7 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
 /// longer than [`MAX_TEXT`] bytes.
 #[must_use]
 pub fn text_of(bytes: &[u8]) -> Option<String> {
-    let plain = without_byte_order_mark(bytes);
+    let plain = plain(bytes);
     if png::is_png(&plain) || is_pdf(&plain) || is_xml(&plain) || plain.len() > MAX_TEXT {
         return None;
     }
@@ -74,12 +85,20 @@ fn is_xml(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"<")
 }
 
-/// The file's bytes without a byte order mark. UTF-16 with a mark, as Windows programs write it, becomes UTF-8.
-fn without_byte_order_mark(bytes: &[u8]) -> Cow<'_, [u8]> {
-    // Larger UTF-16 files are not converted, to bound the memory.
+fn is_pdf(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"%PDF-")
+}
+
+/// The file's bytes without compression (`.svgz`) and without a byte order mark. UTF-16 with a mark, as Windows programs
+/// write it, becomes UTF-8.
+fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
+    // Larger files are not converted or unpacked to their end, to bound the memory.
     const LONGEST: usize = 32 * MAX_FILE;
     let read: fn([u8; 2]) -> u16 = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
+        [0x1f, 0x8b, 8, flags, _, _, _, _, _, _, rest @ ..] if flags & !8 == 0 => {
+            return gunzipped(rest, *flags).into();
+        }
         [0xff, 0xfe, ..] if bytes.len() <= LONGEST => u16::from_le_bytes,
         [0xfe, 0xff, ..] if bytes.len() <= LONGEST => u16::from_be_bytes,
         _ => return bytes.into(),
@@ -88,51 +107,18 @@ fn without_byte_order_mark(bytes: &[u8]) -> Cow<'_, [u8]> {
     String::from_utf16_lossy(&units).into_bytes().into()
 }
 
-/// The start tag and the end tag of the element that holds the system.
-const OPEN: &str = "<metadata id=\"L-system\">";
-const CLOSE: &str = "</metadata>";
-
-/// Writes a system as an element of an SVG file, unless `system` is empty.
-pub(super) fn write_metadata(text: &mut String, system: &str) {
-    if system.is_empty() {
-        return;
-    }
-    // In JSON, characters that XML cannot hold stand only in strings, where escapes by number are valid.
-    let mut held = String::with_capacity(system.len());
-    for c in system.trim_end().chars() {
-        if xml::is_character(c) {
-            held.push(c);
-        } else {
-            held.push_str(&format!("\\u{:04x}", u32::from(c)));
-        }
-    }
-    for part in [OPEN, &xml::escape(&held), CLOSE, "\n"] {
-        text.push_str(part);
-    }
+/// What follows the first ten bytes of a file of gzip (RFC 1952), which may have a name.
+fn gunzipped(rest: &[u8], flags: u8) -> Vec<u8> {
+    let packed = if flags == 0 { rest } else { rest.splitn(2, |&byte| byte == 0).nth(1).unwrap_or_default() };
+    decompress_to_vec_with_limit(packed, 4 * MAX_FILE).unwrap_or_else(|error| error.output)
 }
 
-fn metadata_in(svg: &[u8]) -> Option<Cow<'_, str>> {
-    let start = find(svg, OPEN)? + OPEN.len();
-    let content = &svg[start..];
-    let content = &content[..find(content, CLOSE)?];
-    // An escaped character takes at most ten bytes, so a longer content exceeds `MAX_FILE` anyway.
-    let content = &content[..content.len().min(10 * MAX_FILE + 10)];
-    Some(xml::unescape(&String::from_utf8_lossy(content)).into())
+/// Whether a text of others is a system: an object with the key that every system has.
+fn is_system(text: &str) -> bool {
+    text.trim_start().starts_with('{') && text.contains("\"initial\"")
 }
 
-fn is_pdf(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"%PDF-")
-}
-
-/// The system in a PDF file of this library: the first attached file, which is not compressed.
-fn attachment_in(pdf: &[u8]) -> Option<Cow<'_, str>> {
-    let rest = &pdf[find(pdf, "/EmbeddedFile")?..];
-    let content = &rest[find(rest, "stream\n")? + "stream\n".len()..];
-    // No line of a system's JSON begins with this word.
-    let content = &content[..find(content, "\nendstream")?];
-    Some(String::from_utf8_lossy(content))
-}
-
+/// The place of a text in a file.
 fn find(bytes: &[u8], text: &str) -> Option<usize> {
     // Compares only at the first byte of `text`, because a file may have hundreds of megabytes.
     let first = *text.as_bytes().first()?;

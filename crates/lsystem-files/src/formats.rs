@@ -329,6 +329,6 @@ fn picture(
 ) -> Result<Notes, Halt> {
     let FileOptions { title, description, system, most, transparent, .. } = options.clone();
     let options = SvgOptions { title, description, system, most, form, transparent, ..SvgOptions::default() };
-    let instances = svg_file(drawing, style, &options, sink)?;
-    Ok(Notes { remark: warning(instances, style.ink), ..Notes::default() })
+    let painted = svg_file(drawing, style, &options, sink)?;
+    Ok(Notes { remark: warning(painted, style.ink), ..Notes::default() })
 }

@@ -6,14 +6,16 @@ use lsystem_base::sorted;
 use lsystem_sound::{Note, Tune};
 use lsystem_syntax::{Halt, Work};
 
-/// The ticks of a quarter note, and of a step: a sixteenth.
+/// The ticks of a quarter note.
 const QUARTER: u16 = 480;
-const STEP: f64 = 120.0;
+/// The ticks between two places where notes begin and end: half a step of a sixteenth. Programs for scores take finer
+/// places for another metre.
+const GRID: u32 = 60;
 /// The channels in use, in the order of their tracks: all but the tenth, which is for drums.
 const CHANNELS: [u8; 15] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 14, 15];
 /// The instruments of General MIDI, in the order of the tracks, again from the first after the last: piano, harp,
-/// vibraphone, marimba, celesta.
-const PROGRAMS: [u8; 5] = [0, 46, 11, 12, 8];
+/// xylophone, glockenspiel, celesta. The free sounds of freepats have them all.
+const PROGRAMS: [u8; 5] = [0, 46, 13, 9, 8];
 /// The greatest number of ticks that the format holds between two events.
 const MAX: u32 = (1 << 28) - 1;
 /// The controller of the place from left to right.
@@ -43,7 +45,7 @@ pub(crate) fn midi_file(tune: &Tune, options: &FileOptions, sink: &mut Sink<'_>)
 
 /// The ticks of a time in steps.
 fn ticks(steps: f64) -> u32 {
-    (libm::round(steps * STEP) as u32).min(MAX)
+    (libm::round(2.0 * steps) as u32).saturating_mul(GRID).min(MAX)
 }
 
 /// The notes by track. A voice stays in its track from its first to its last note. It gets the first track that is
@@ -118,12 +120,12 @@ fn track(place: usize, notes: &[&Note]) -> Vec<u8> {
 }
 
 /// The beginnings and ends of notes in the order of time, ends first. A key sounds once at a time: a note ends where the
-/// next one of the same key begins, and of notes that begin together one is left. A note lasts a tick at least.
+/// next one of the same key begins, and of notes that begin together one is left. A note lasts half a step at least.
 fn events<'a>(notes: &[&'a Note]) -> Vec<Event<'a>> {
     let mut spans: Vec<([u32; 2], &Note)> = (notes.iter())
         .map(|&note| {
-            let start = ticks(note.start).min(MAX - 1);
-            ([start, ticks(note.start + note.length).max(start + 1)], note)
+            let start = ticks(note.start).min(MAX - GRID);
+            ([start, ticks(note.start + note.length).max(start + GRID)], note)
         })
         .collect();
     sorted::sort_by_key(&mut spans, |([start, _], note)| (*start, note.key));

@@ -21,25 +21,28 @@ pub fn write_plot(
 ) -> Result<PlotSummary, Halt> {
     let plot = Plot::new(drawing, style, &file.sheet, file.plot, file.most, sink)?;
     let decimals = Decimals::for_size(1000.0);
+    // At each path, since some programs do not look at the layer for it.
+    let mut path = "<path stroke-width=\"".to_owned();
+    decimals.write(&mut path, file.plot.bounded().pen);
+    path.push_str("\" d=\"M");
     write_head(plot.summary.sheet, decimals, file, &mut sink.text);
     for (number, layer) in (1..).zip(&plot.layers) {
         let text = &mut sink.text;
         let [r, g, b] = layer.rgb;
-        // Programs for plotters take the number of a layer from the start of its label. Writing to a `String` cannot fail.
+        // Programs for plotters take the number of a layer from the start of its label, or the pen from its end. Writing
+        // to a `String` cannot fail.
         let _ = write!(
             text,
-            "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{number} {}\" fill=\"none\" \
-             stroke=\"#{r:02x}{g:02x}{b:02x}\" stroke-width=\"",
+            "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{number} {}, pen {number}\" \
+             fill=\"none\" stroke=\"#{r:02x}{g:02x}{b:02x}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
             pen::name(layer.rgb)
         );
-        decimals.write(text, file.plot.bounded().pen);
-        text.push_str("\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
         for polyline in plot.polylines_of(layer) {
             for (place, [x, y]) in polyline.enumerate() {
                 sink.charge(4)?;
                 let text = &mut sink.text;
                 text.push_str(match place {
-                    0 => "<path d=\"M",
+                    0 => &path,
                     1 => "L",
                     _ => " ",
                 });

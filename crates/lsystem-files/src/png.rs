@@ -1,5 +1,7 @@
 //! Texts in PNG files (PNG specification, third edition, sections 5 and 11.3.3.4).
 
+use lsystem_base::MAX_FILE;
+use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 use std::borrow::Cow;
 
 /// The keyword of a system among the texts.
@@ -14,7 +16,17 @@ pub(super) fn is_png(bytes: &[u8]) -> bool {
 
 /// The system in a PNG file.
 pub(super) fn system_in(png: &[u8]) -> Option<Cow<'_, str>> {
-    PngChunks::new(png)?.find_map(|chunk| chunk.system())
+    // One is enough; a few more bound the work.
+    PngChunks::new(png)?
+        .filter(|chunk| chunk.data.starts_with(KEYWORD.as_bytes()))
+        .take(8)
+        .find_map(|chunk| chunk.system())
+}
+
+/// A compressed text, no longer than one byte more than is read.
+fn unpacked(text: &[u8]) -> Option<Vec<u8>> {
+    decompress_to_vec_zlib_with_limit(text, MAX_FILE + 1)
+        .map_or_else(|error| Some(error.output).filter(|_| error.status == TINFLStatus::HasMoreOutput), Some)
 }
 
 struct Chunk<'a> {
@@ -28,12 +40,16 @@ impl<'a> Chunk<'a> {
         let text = self.data.strip_prefix(KEYWORD.as_bytes())?.strip_prefix(b"\0")?;
         match &self.kind {
             b"iTXt" => {
-                let mut parts = text.strip_prefix(b"\0\0")?.splitn(3, |&byte| byte == 0);
-                let text = parts.nth(2)?;
-                Some(String::from_utf8_lossy(text))
+                let ([is_packed, _], text) = text.split_first_chunk()?;
+                let text = text.splitn(3, |&byte| byte == 0).nth(2)?;
+                match is_packed {
+                    0 => Some(String::from_utf8_lossy(text)),
+                    _ => Some(String::from_utf8_lossy(&unpacked(text)?).into_owned().into()),
+                }
             }
-            // Programs that save a picture again may write this type of chunk, which is Latin-1.
+            // Programs that save a picture again may write these types of chunks, which are Latin-1.
             b"tEXt" => Some(text.iter().map(|&byte| char::from(byte)).collect()),
+            b"zTXt" => Some(unpacked(text.get(1..)?)?.into_iter().map(char::from).collect()),
             _ => None,
         }
     }
@@ -77,11 +93,13 @@ mod tests {
         let header = [SIGNATURE.as_slice(), &chunk(b"IHDR", &[0; 13])].concat();
         let rest = [chunk(b"tEXt", b"Software\0x"), chunk(b"IDAT", b"123"), chunk(b"IEND", b"")].concat();
         assert_eq!(system_in(&[header.clone(), rest.clone()].concat()), None);
-        let texts: [(&[u8; 4], &[u8], Option<&str>); 4] = [
+        let packed = |text| miniz_oxide::deflate::compress_to_vec_zlib(text, 6);
+        let texts: [(&[u8; 4], &[u8], Option<&str>); 6] = [
             (b"iTXt", b"L-system\0\0\0\0\0{\xc3\xa9}", Some("{é}")),
-            // Compressed.
+            (b"iTXt", &[b"L-system\0\x01\0\0\0", &packed("{é}".as_bytes())[..]].concat(), Some("{é}")),
             (b"iTXt", b"L-system\0\x01\0\0\0{}", None),
             (b"tEXt", b"L-system\0{\xe9}", Some("{é}")),
+            (b"zTXt", &[b"L-system\0\0", &packed(b"{\xe9}")[..]].concat(), Some("{é}")),
             (b"zTXt", b"L-system\0\0{}", None),
         ];
         for (kind, data, expected) in texts {

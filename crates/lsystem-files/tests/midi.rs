@@ -88,7 +88,11 @@ fn read(file: &[u8]) -> Heard {
                             let (start, velocity) = open.get_mut(&key.as_int()).unwrap().pop().unwrap();
                             notes.push(([start, now], key.as_int(), velocity));
                         }
-                        MidiMessage::ProgramChange { .. } | MidiMessage::Controller { .. } => {}
+                        // The instruments that freepats has beside others.
+                        MidiMessage::ProgramChange { program } => {
+                            assert!([0, 46, 13, 9, 8].contains(&program.as_int()))
+                        }
+                        MidiMessage::Controller { .. } => {}
                         other => panic!("{other:?}"),
                     }
                 }
@@ -109,7 +113,7 @@ fn read(file: &[u8]) -> Heard {
 }
 
 fn ticks(steps: f64) -> u32 {
-    (steps * 120.0).round() as u32
+    60 * (steps * 2.0).round() as u32
 }
 
 #[test]

@@ -54,10 +54,13 @@ fn polylines(text: &str) -> Vec<Vec<Vec<Point>>> {
     let mut layers: Vec<Vec<Vec<Point>>> = vec![];
     for line in text.lines() {
         if line.starts_with("<g ") {
-            assert!(line.contains("inkscape:groupmode=\"layer\"") && line.contains("fill=\"none\""));
             layers.push(vec![]);
+            assert!(line.contains("inkscape:groupmode=\"layer\"") && line.contains("fill=\"none\""));
+            assert!(line.contains(&format!(", pen {}\"", layers.len())), "{line}");
         }
-        let Some(d) = line.strip_prefix("<path d=\"M").and_then(|line| line.strip_suffix("\"/>")) else { continue };
+        let Some(d) = line.strip_prefix("<path ").and_then(|line| line.strip_suffix("\"/>")) else { continue };
+        assert!(d.starts_with("stroke-width=\""));
+        let d = d.split_once(" d=\"M").unwrap().1;
         let numbers: Vec<f64> = d.split([' ', 'L']).map(|number| number.parse().unwrap()).collect();
         layers.last_mut().unwrap().push(numbers.chunks(2).map(|pair| [pair[0], pair[1]]).collect());
     }

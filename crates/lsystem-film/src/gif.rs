@@ -38,7 +38,7 @@ impl GifWriter {
         Ok(Self { encoder, size, palette, before: Vec::new() })
     }
 
-    /// Adds a frame that is shown for `delay` hundredths of a second.
+    /// Adds a frame that is shown for `delay` hundredths of a second; none for 0.
     ///
     /// # Errors
     /// A frame of another size.
@@ -46,6 +46,9 @@ impl GifWriter {
         let [width, height] = self.size.map(usize::from);
         if frame.places.len() != width * height {
             return Err(EncodingError::FrameBufferTooSmallForDimensions);
+        }
+        if delay == 0 {
+            return Ok(());
         }
         let colours = frame.own.as_deref().unwrap_or(self.palette.colours());
         let area = self.changed(frame, colours);

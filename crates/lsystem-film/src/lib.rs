@@ -52,6 +52,6 @@ pub use palette::{IndexedFrame, Palette, PaletteMaker, palette_samples};
 pub use preset::{
     Preset, dive, dive_in_space, dive_to, grow, turntable, turtle, vantage_of_segment, wind, wind_strength,
 };
-pub use script::{Ending, Script};
+pub use script::{Ending, MAX_GIF_RATE, Script};
 pub use subject::Subject;
 pub use track::{Keyframe, Track};

@@ -15,6 +15,8 @@ pub(crate) const MAX_SECONDS: f64 = 3_600.0;
 pub(crate) const MIN_SECONDS: f64 = 0.04;
 /// The most frames a second.
 pub(crate) const MAX_RATE: u32 = 60;
+/// The most frames a second of a GIF.
+pub const MAX_GIF_RATE: u32 = 50;
 /// The most pixels of a side of a frame.
 pub(crate) const MAX_SIDE: u32 = 4_096;
 /// The fewest pixels of a side of a frame.
@@ -116,10 +118,12 @@ impl Script {
         self.seconds * f64::from(at) / f64::from(steps)
     }
 
-    /// The hundredths of a second that a frame is shown, rounded so that no rounding adds up.
+    /// The hundredths of a second that a frame of a GIF is shown, rounded so that no rounding adds up; 0 for frames that
+    /// are left out. Programs show a hundredth as ten, so that there are at most [`MAX_GIF_RATE`] frames a second.
     #[must_use]
     pub fn delay_of(&self, frame: u32) -> u16 {
-        let end = |frame: u32| (u64::from(frame) * 100 + u64::from(self.rate) / 2) / u64::from(self.rate.max(1));
+        let (rate, unit) = (u64::from(self.rate.max(1)), if self.rate > MAX_GIF_RATE { 2 } else { 1 });
+        let end = |frame: u32| unit * ((u64::from(frame) * (100 / unit) + rate / 2) / rate);
         (end(frame + 1) - end(frame)) as u16
     }
 }
@@ -143,6 +147,9 @@ mod tests {
             let script = Script { seconds: 3.0, rate, ..Script::default() };
             let hundredths: u32 = (0..script.frames()).map(|frame| u32::from(script.delay_of(frame))).sum();
             assert_eq!(hundredths, 300, "{rate}");
+            let shown = (0..script.frames()).filter(|&frame| script.delay_of(frame) > 0);
+            assert_eq!(shown.clone().count(), 3 * rate.min(50) as usize, "{rate}");
+            assert!(shown.map(|frame| script.delay_of(frame)).all(|delay| delay > 1) && script.delay_of(0) > 1);
         }
         let single = Script { seconds: 0.04, rate: 1, ending: Ending::Bounce, ..Script::default() };
         assert_eq!((single.frames(), single.time_of(0), single.time_of(9)), (1, 0.0, 0.0));

@@ -1,6 +1,10 @@
 """The package in a notebook, which is run without a browser."""
 
+import html
+import json
+import re
 import unittest
+from unittest import mock
 
 import lsystem_playground as ls
 import nbformat
@@ -56,6 +60,17 @@ class Messages(unittest.TestCase):
         self.assertEqual(live.angle, 60)
         opened = [{"lsystem": "open", "link": system.link} for system in (weed, weed.replace(angle=60))]
         self.assertEqual(sent[1:], opened)
+
+    def test_a_frame_carries_its_page_and_its_system(self):
+        weed = ls.System(axiom="F", rules="F -> F[+F]F", title='"</script>&')
+        with mock.patch("lsystem_playground._frame.page", lambda: b"<!doctype html><head><script>page</script>"):
+            text = weed.frame(controls=["n", "rules"], height=300)._repr_html_()
+        self.assertTrue(text.startswith("<iframe ") and "height: 300px" in text)
+        [page] = re.findall(' srcdoc="([^"]*)"></iframe>$', text)
+        head, place, rest = re.split("location.hash = (.*?)</script>", html.unescape(page))
+        self.assertEqual((head, rest), ("<!doctype html><head><script>", "<script>page</script>"))
+        link, options = json.loads(place).split("&controls=")
+        self.assertEqual((ls.System.read(link), options), (weed, "n,rules&theme=&away=0"))
 
     def test_pictures_are_sent_when_asked_for(self):
         live, sent = ls.System(axiom="F").widget(), []

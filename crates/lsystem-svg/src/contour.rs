@@ -115,8 +115,9 @@ fn simplified(points: &[Point], work: &mut Work) -> Result<Vec<Point>, SvgError>
     }
     let round = |value: f64| (value / GRID).round() * GRID;
     let kept = points.iter().zip(keep).filter(|(_, keep)| *keep);
-    // A multiple of the grid has two digits after the point.
-    let mut corners: Vec<Point> = kept.map(|(at, _)| at.map(|value| (round(value) * 100.0).round() / 100.0)).collect();
+    // A multiple of the grid has two digits after the point, and no sign if it is 0.
+    let mut corners: Vec<Point> =
+        kept.map(|(at, _)| at.map(|value| (round(value) * 100.0).round() / 100.0 + 0.0)).collect();
     corners.dedup();
     if corners.len() > 1 && corners.first() == corners.last() {
         corners.pop();
@@ -158,6 +159,23 @@ mod tests {
             "<path d='M0 0H40V40H0Z M10 10H30V30H10Z' transform='scale(2)'/>",
             Ok("outline(-10, 20, 10, 20, 10, 0, -10, 0) - outline(-5, 15, 5, 15, 5, 5, -5, 5)"),
         );
+    }
+
+    #[test]
+    fn a_clip_path_around_the_page_is_passed_over() {
+        let clipped = |rectangle: &str, group: &str| {
+            format!(
+                "<defs><clipPath id='a'><rect {rectangle}/></clipPath></defs><g clip-path='url(#a)'{group}>\
+                 <rect fill='none' width='9' height='9'/><path d='M0 0L10.001 -10L20.003 0L10 10z'/></g>"
+            )
+        };
+        let page = "width='100' height='100'";
+        check(&clipped(page, ""), Ok("outline(-10, 10, 0, 20, 10, 10, 0, 0)"));
+        check(&clipped("x='-10' y='-20' width='110' height='130'", ""), Ok("outline(-10, 10, 0, 20, 10, 10, 0, 0)"));
+        let refused = Err("this SVG is more than an outline: it has clip paths");
+        check(&clipped("width='50' height='100'", ""), refused);
+        check(&clipped(page, " transform='translate(5 5)'"), refused);
+        check(&clipped(&format!("{page} transform='scale(.1)'"), ""), refused);
     }
 
     #[test]

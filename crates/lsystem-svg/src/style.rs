@@ -66,12 +66,14 @@ pub(crate) struct Style {
     colour: Shade,
     /// The diagonal of the viewport, to which lengths in percent refer.
     pub(crate) diagonal: f64,
+    /// The page: x, y, width and height, where the user's coordinates are those of the page.
+    pub(crate) page: Option<[f64; 4]>,
 }
 
 const BLACK: Shade = Shade { level: 0.0, alpha: 1.0 };
 
 impl Style {
-    pub(crate) fn new(diagonal: f64) -> Self {
+    pub(crate) fn new(diagonal: f64, page: [f64; 4]) -> Self {
         Self {
             fill: Ink::Shade(BLACK),
             stroke: Ink::None,
@@ -84,6 +86,7 @@ impl Style {
             stroke_opacity: 1.0,
             colour: BLACK,
             diagonal,
+            page: Some(page),
         }
     }
 
@@ -97,11 +100,12 @@ impl Style {
     ) -> Result<Self, SvgError> {
         let mut style = self.clone();
         let mut own_opacity = 1.0;
+        style.page = self.page.filter(|_| element.get("transform").is_none());
         for (name, value) in declared(element, files.1, work)? {
             match name {
                 "opacity" => own_opacity = part(value).unwrap_or(own_opacity),
                 "clip-path" | "mask" | "filter" | "marker" | "marker-start" | "marker-mid" | "marker-end" => {
-                    if value != "none" {
+                    if value != "none" && !(name == "clip-path" && style.clips_nothing(value, files.0)) {
                         let names = [word!("clip paths"), word!("masks"), word!("filters"), word!("markers")];
                         let known = names.into_iter().find(|known| known.starts_with(&name[..4]));
                         note(left_out, known.unwrap_or(word!("effects")));
@@ -112,6 +116,21 @@ impl Style {
         }
         style.opacity *= own_opacity;
         Ok(style)
+    }
+
+    /// Whether a clip path is a rectangle around the whole page, as LibreOffice writes it.
+    fn clips_nothing(&self, value: &str, document: &Document) -> bool {
+        let Ok(Paint::FuncIRI(name, _)) = Paint::from_str(value) else { return false };
+        let (Some(page), Some(clip)) = (self.page, document.named(&format!("#{name}"))) else { return false };
+        let mut children = document.children(clip);
+        let (Some(only), None) = (children.next(), children.next()) else { return false };
+        let [clip, only] = [clip, only].map(|at| document.element(at));
+        let is_plain = |element: &Element| element.get("transform").is_none() && element.get("clip-path").is_none();
+        let [x, y, width, height] =
+            ["x", "y", "width", "height"].map(|name| only.get(name).and_then(|text| length(text, 0.0)).unwrap_or(0.0));
+        let [left, top, wide, high] = page;
+        let is_around = x <= left && y <= top && x + width >= left + wide && y + height >= top + high;
+        clip.name == "clipPath" && only.name == "rect" && is_plain(clip) && is_plain(only) && is_around
     }
 
     /// How opaque the inside and the outline are, with their levels.

@@ -68,8 +68,9 @@ fn walk(
     let (first, size, _) = page(document.element(0));
     let mut left_out = Vec::new();
     let diagonal = libm::hypot(size[0], size[1]) / std::f64::consts::SQRT_2;
-    let around =
-        Around { transform: first, style: Style::new(diagonal), size, depth: 0, given: [None; 2], is_target: false };
+    let [x, y] = view_box(document.element(0)).map_or([0.0; 2], |view| [view.x, view.y]);
+    let style = Style::new(diagonal, [x, y, size[0], size[1]]);
+    let around = Around { transform: first, style, size, depth: 0, given: [None; 2], is_target: false };
     let mut waiting = vec![(0, Rc::new(around))];
     while let Some((at, around)) = waiting.pop() {
         let element = document.element(at);
@@ -101,6 +102,7 @@ fn walk(
                 inside.transform = transform.after(Transform::moved(x, y));
                 inside.given = sides(element, around.size);
                 inside.is_target = true;
+                inside.style.page = None;
                 waiting.push((target, Rc::new(inside)));
             }
             "text" | "image" | "foreignObject" => {
@@ -205,6 +207,7 @@ fn enter(element: &Element, around: &Around, inside: &mut Around) {
     let own = sides(element, around.size);
     let size = [0, 1].map(|axis| around.given[axis].or(own[axis]).unwrap_or(around.size[axis]));
     inside.transform = inside.transform.after(Transform::moved(x, y));
+    inside.style.page = None;
     inside.size = size;
     let Some(view) = view_box(element) else { return };
     let ratio = element.get("preserveAspectRatio").and_then(|text| AspectRatio::from_str(text).ok());

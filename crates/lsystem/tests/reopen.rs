@@ -107,6 +107,29 @@ fn a_derived_string_as_an_axiom_is_the_drawing_of_its_system() {
     check(&string);
 }
 
+/// The folder has a small plant, saved by the programs that its files are named after.
+#[test]
+fn pictures_that_other_programs_have_saved() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved");
+    let read = |name: &str| read_file(&std::fs::read(folder.join(name)).unwrap());
+    let files: Vec<String> =
+        std::fs::read_dir(&folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
+    assert!(files.len() > 12, "{files:?}");
+    for name in files {
+        let found = read(&name);
+        // Encrypted.
+        if name == "qpdf-encrypted.pdf" {
+            assert_eq!(found.diagnostics[0].message, "This PDF holds no L-system");
+            assert!(found.diagnostics[0].hint.as_ref().unwrap().contains("pdfdetach"));
+            continue;
+        }
+        assert_eq!(found.diagnostics, vec![], "{name}");
+        let definition = found.definition.unwrap();
+        assert_eq!((&*definition.title, &*definition.axiom, definition.iterations), ("É <&> \"x\"", "X", 2), "{name}");
+        assert_eq!(definition.rules, "X -> F-[[X]+X]+F[+FX]-X\nF -> FF", "{name}");
+    }
+}
+
 #[test]
 fn what_holds_no_system() {
     let check = |bytes: &[u8], expected: &str| {

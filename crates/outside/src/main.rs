@@ -3,7 +3,8 @@
 //!
 //! - `outside check ROOT FOLDER LSYS` makes and checks the files. ROOT is the repository, FOLDER is for files and for
 //!   Python's libraries, and LSYS is the program.
-//! - `outside wheel ROOT FOLDER LSYS` does the same, and compiles the Python package for a wheel, which is installed.
+//! - `outside wheel ROOT FOLDER LSYS` does the same, compiles the Python package for a wheel, which is installed, and runs
+//!   exports in the programs that they are for ([`real`]).
 //! - `outside plots ROOT FOLDER LSYS` prints plots of `lsys` beside those of vpype.
 //!
 //! `lsys` makes files of a few systems ([`made`]). The checks ask programs for figures of these files and compare them
@@ -20,6 +21,7 @@ mod plane;
 mod plots;
 mod programs;
 mod python;
+mod real;
 mod space;
 
 use anyhow::{Context, Result, bail};
@@ -83,6 +85,9 @@ fn check(options: &Options) -> Result<()> {
         space::ask(&made, &mut asked)?;
         film::ask(&made, &mut asked)?;
         data::ask(&made, &mut asked)?;
+        if matches!(options.what, What::Wheel) {
+            real::ask(options, &mut asked)?;
+        }
         asked.finish(|| package.join().unwrap_or_else(|_| bail!("the tests of the package panicked")))
     })?;
     programs.missing().iter().for_each(|line| println!("not checked: {line}"));

@@ -145,7 +145,10 @@ fn plot_is(found: &Value, told: &[f64], is_hatched: bool) -> Result<String> {
     equal("layers", ids.len() as f64, layers)?;
     ensure!(ids.iter().zip(1..).all(|(&id, number)| id == f64::from(number)), "the layers are {ids:?}");
     for (id, [name, colour]) in (1..).zip(pairs(found)) {
-        ensure!(name.starts_with(&format!("{id} ")) && name.ends_with(&colour), "layer {id}: {name}, {colour}");
+        ensure!(
+            name.starts_with(&format!("{id} ")) && name.ends_with(&format!("{colour}, pen {id}")),
+            "layer {id}: {name}, {colour}"
+        );
     }
     equal("polylines", number(&found["polylines"]), polylines)?;
     near("length drawn in mm", number(&found["down"]), 1000.0 * told[4], rounding)?;

@@ -356,7 +356,7 @@ function showProblem(words) {
 
 /** Links to the playground with the current state. @param {Frame} self */
 async function address(self) {
-    if (html('open').hidden) return;
+    if (html('open').hidden || !URL.canParse('./', location.href)) return;
     // Without a server, a folder address does not open its page.
     const place = new URL(location.protocol === 'file:' ? 'playground.html' : './', location.href);
     const state = self.store.state;

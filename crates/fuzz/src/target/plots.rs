@@ -100,7 +100,7 @@ fn check(text: &str, summary: &PlotSummary, options: &FileOptions, gauge: &mut G
 
 /// The points of a polyline in a line of the file.
 fn polyline(line: &str) -> Option<Vec<[f64; 2]>> {
-    let path = line.strip_prefix("<path d=\"M")?.strip_suffix("\"/>").expect("a path on one line");
+    let path = line.strip_prefix("<path ")?.split_once(" d=\"M")?.1.strip_suffix("\"/>").expect("a path on one line");
     let numbers: Vec<f64> = path.split([' ', 'L']).map(|word| word.parse().expect("a number")).collect();
     assert!(numbers.iter().all(|number| number.is_finite()) && numbers.len().is_multiple_of(2), "{line}");
     Some(numbers.chunks_exact(2).map(|point| [point[0], point[1]]).collect())

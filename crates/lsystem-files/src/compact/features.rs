@@ -3,9 +3,6 @@
 use lsystem_drawing::{BlockFeatures, BlockId, Directions, Drawing, Item, Line};
 use lsystem_syntax::{Halt, Work};
 
-/// Blocks less than this size across become one stroke, in pixels.
-const DOT: f64 = 1.0;
-
 /// The features of blocks, by block.
 #[derive(Default)]
 pub(super) struct Features {
@@ -13,18 +10,27 @@ pub(super) struct Features {
     /// The number of strokes that draw the block at this size, saturating. Blocks placed with scaled lengths may have
     /// other numbers there.
     strokes: Vec<u32>,
+    /// Blocks less than this size across become one stroke, in pixels.
+    dot: f64,
 }
 
 impl Features {
-    /// Finds the features of all blocks. One unit of the root is `scale` pixels.
-    pub(super) fn new(drawing: &Drawing, root: BlockId, scale: f64, work: &mut dyn Work) -> Result<Self, Halt> {
+    /// Finds the features of all blocks. One unit of the root is `scale` pixels, and blocks less than `dot` pixels across
+    /// become one stroke.
+    pub(super) fn new(
+        drawing: &Drawing,
+        root: BlockId,
+        scale: f64,
+        dot: f64,
+        work: &mut dyn Work,
+    ) -> Result<Self, Halt> {
         let exponent = drawing.blocks[root.0 as usize].exponent;
-        let (mut features, mut directions) = (Self::default(), Directions::default());
+        let (mut features, mut directions) = (Self { dot, ..Self::default() }, Directions::default());
         for block in &drawing.blocks {
             work.charge(1 + BlockFeatures::work(block, drawing))?;
             let shape = BlockFeatures::new(block, &features.shapes, drawing, &mut directions);
             let own = scale * libm::scalbn(1.0, block.exponent.saturating_sub(exponent));
-            let strokes = match one_stroke(&shape, own) {
+            let strokes = match one_stroke(&shape, own, dot) {
                 Some(_) => 1,
                 None => (drawing.contents(block).iter())
                     .map(|item| match item {
@@ -45,11 +51,11 @@ impl Features {
 
     /// The single stroke that draws a block, if there is one. One unit of the block is `scale` pixels.
     pub(super) fn one_stroke(&self, block: BlockId, scale: f64) -> Option<&Line> {
-        one_stroke(&self.shapes[block.0 as usize], scale)
+        one_stroke(&self.shapes[block.0 as usize], scale, self.dot)
     }
 }
 
-fn one_stroke(shape: &BlockFeatures, scale: f64) -> Option<&Line> {
-    let dot = (shape.longest.length() * scale.abs() < DOT).then_some(&shape.longest);
-    shape.straight.as_ref().or(dot)
+fn one_stroke(shape: &BlockFeatures, scale: f64, dot: f64) -> Option<&Line> {
+    let is_dot = shape.longest.length() * scale.abs() < dot;
+    shape.straight.as_ref().or(is_dot.then_some(&shape.longest))
 }

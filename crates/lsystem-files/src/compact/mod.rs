@@ -20,8 +20,14 @@ use styled_drawing::StyledDrawing;
 /// Small blocks make most of the copies, so a greater size means fewer copies but a longer file.
 const SMALL: [u32; 2] = [4, 64];
 
-/// The most copies without a warning. More take browsers several seconds.
-pub(super) const MANY: u128 = 100_000;
+/// The least and the greatest size in pixels under which a block becomes one stroke. Larger ones make fewer strokes.
+const DOT: [f64; 2] = [1.0, 4.0];
+
+/// The most copies before larger blocks are written out.
+const MANY_COPIES: u128 = 100_000;
+
+/// The most strokes and polygons without a warning. More take viewers of PDF and browsers many seconds.
+pub(super) const MANY: u128 = 400_000;
 
 /// A file format that can define symbols and place them. Points are in CSS pixels, y up; those of the whole picture
 /// have the picture's upper left corner as their origin.
@@ -86,21 +92,24 @@ impl Compact {
         let size = [width * pixels, height * pixels];
         let step = finite(step * pixels);
         let around = StrokeLook::of(style, &StyleChange::start(drawing.width), step, 1.0);
-        let features = Features::new(drawing, root, scale, work)?;
-        let styled = StyledDrawing { drawing, style, features: &features, step };
-        let [mut small, largest] = SMALL;
-        let mut plan = CompactPlan::new(&styled, root, scale, small, most, work)?;
-        // If there are too many copies, greater blocks are written out.
-        while plan.instances > MANY && small < largest {
-            small *= 2;
-            plan = CompactPlan::new(&styled, root, scale, small, most, work)?;
+        let ([mut dot, coarsest], [mut small, largest]) = (DOT, SMALL);
+        loop {
+            let features = Features::new(drawing, root, scale, dot, work)?;
+            let styled = StyledDrawing { drawing, style, features: &features, step };
+            let plan = CompactPlan::new(&styled, root, scale, small, most, work)?;
+            if plan.painted > MANY && dot < coarsest {
+                dot = (1.25 * dot).min(coarsest);
+            } else if plan.copies > MANY_COPIES && small < largest {
+                small *= 2;
+            } else {
+                return Ok(Self { size, around, whole, plan });
+            }
         }
-        Ok(Self { size, around, whole, plan })
     }
 
-    /// The number of copies that expanding the whole picture makes.
-    pub(super) fn instances(&self) -> u128 {
-        self.plan.instances
+    /// The number of strokes and polygons that viewers paint.
+    pub(super) fn painted(&self) -> u128 {
+        self.plan.painted
     }
 
     /// Writes the symbols and the picture.

@@ -31,7 +31,9 @@ pub(super) struct CompactPlan {
     /// place.
     pub(super) shared: Vec<usize>,
     /// The number of copies that expanding the whole picture makes.
-    pub(super) instances: u128,
+    pub(super) copies: u128,
+    /// The number of strokes and polygons in the expanded picture.
+    pub(super) painted: u128,
 }
 
 /// A block at a scale and in a style.
@@ -82,7 +84,8 @@ impl CompactPlan {
             pending: BinaryHeap::new(),
             current: Self::WHOLE,
             shared: vec![],
-            instances: 0,
+            copies: 0,
+            painted: 0,
         };
         let whole = plan.symbol(styled, root, scale, &StyleChange::start(styled.drawing.width));
         plan.symbols[whole].copies = 1;
@@ -106,7 +109,7 @@ impl CompactPlan {
         symbol.parts = self.parts.len()..self.parts.len();
         if symbol.uses > 1 {
             self.shared.push(current);
-            self.instances = self.instances.saturating_add(symbol.copies);
+            self.copies = self.copies.saturating_add(symbol.copies);
         }
         // The blocks being read, outermost first: the items that remain, and the frame.
         let mut open = vec![(styled.drawing.items_of(block).iter(), symbol.frame)];
@@ -119,6 +122,8 @@ impl CompactPlan {
             let frame = *frame;
             open.extend(self.read(styled, item, &frame, work)?);
         }
+        let marks = self.parts_of(current).iter().filter(|part| !matches!(part, SymbolPart::Use(..))).count();
+        self.painted = self.painted.saturating_add(self.symbols[current].copies.saturating_mul(marks as u128));
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use core::fmt::Write;
 use lsystem_drawing::{BlockId, Drawing};
 use lsystem_syntax::{Halt, Heading, Style};
 
-/// Writes a compact file. Returns the number of copies that expanding the whole picture makes.
+/// Writes a compact file. Returns the number of strokes and polygons that viewers paint.
 pub(super) fn write_compact(
     drawing: &Drawing,
     root: BlockId,
@@ -24,7 +24,7 @@ pub(super) fn write_compact(
     let decimals = Decimals::for_size(options.size.min(1000.0));
     picture.write(&mut Paths::new(sink, decimals, Some(picture.around)))?;
     sink.text.push_str("</g>\n</svg>\n");
-    Ok(picture.instances())
+    Ok(picture.painted())
 }
 
 impl SymbolFile for Paths<'_, '_> {

@@ -43,7 +43,7 @@ pub enum SvgForm {
     #[default]
     Flat,
     /// Every block is defined once and then placed, so that the file has some kilobytes at any n. Blocks less than 1
-    /// pixel across at the picture's size become one stroke. A drawing without shared blocks, or with colours along the
+    /// pixel across at the picture's size become one stroke; up to 4 pixels, if the picture has too many strokes. A drawing without shared blocks, or with colours along the
     /// path, is written flat.
     Compact,
 }
@@ -53,9 +53,9 @@ pub enum SvgForm {
 pub struct Svg {
     /// The file's text.
     pub text: String,
-    /// The number of block copies that a viewer makes: each `<use>` counts as often as it occurs when all are expanded.
-    /// `u128::MAX` means that many or more; a flat file has 0.
-    pub instances: u128,
+    /// The number of strokes and polygons that a viewer paints, those of blocks as often as they are placed. `u128::MAX`
+    /// means that many or more. Polygons of a flat file are not counted.
+    pub painted: u128,
     /// The ink of the drawing's style. In the file, ink is always opaque.
     pub ink: Ink,
 }
@@ -64,15 +64,15 @@ impl Svg {
     /// A warning if the file opens slowly or differs from the drawing.
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
-        warning(self.instances, self.ink)
+        warning(self.painted, self.ink)
     }
 }
 
-/// A warning about a picture of strokes: it makes many copies of blocks, or it lacks the drawing's additive ink.
-pub(super) fn warning(instances: u128, ink: Ink) -> Option<Diagnostic> {
+/// A warning about a picture of strokes: viewers paint very many of them, or it lacks the drawing's additive ink.
+pub(super) fn warning(painted: u128, ink: Ink) -> Option<Diagnostic> {
     let (message, hint) = match ink {
-        _ if instances > MANY => (
-            say!("This file may open slowly ({} shapes)", grouped(&instances.to_string())),
+        _ if painted > MANY => (
+            say!("This file may open slowly ({} shapes)", grouped(&painted.to_string())),
             say!("Fewer iterations or a smaller size make fewer."),
         ),
         Ink::Density => (
@@ -105,11 +105,11 @@ impl Default for SvgOptions {
 /// # Errors
 /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
-    let (text, instances) = collect(|sink| svg_file(drawing, style, options, sink))?;
-    Ok(Svg { text, instances, ink: style.ink })
+    let (text, painted) = collect(|sink| svg_file(drawing, style, options, sink))?;
+    Ok(Svg { text, painted, ink: style.ink })
 }
 
-/// As [`write_svg`], piece by piece. Returns [`Svg::instances`].
+/// As [`write_svg`], piece by piece. Returns [`Svg::painted`].
 pub(crate) fn svg_file(
     drawing: &Drawing,
     style: &Style,
@@ -120,7 +120,7 @@ pub(crate) fn svg_file(
         (SvgForm::Compact, Some(root)) if is_shareable(drawing, style) => {
             write_compact(drawing, root, style, options, sink)
         }
-        _ => write_flat(drawing, style, options, sink).map(|()| 0),
+        _ => write_flat(drawing, style, options, sink).map(|()| drawing.segment_count()),
     }
 }
 

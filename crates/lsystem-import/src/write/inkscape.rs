@@ -9,7 +9,13 @@ use super::spelling::{Alphabet, Spelling, turns};
 use lsystem_base::say;
 use lsystem_syntax::{Action, Heading};
 
+/// The largest order that the dialog takes.
+const MAX_ORDER: u32 = 100;
+
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
+    if source.definition.iterations > MAX_ORDER {
+        return Err(Refusal::new(say!("Inkscape takes at most {} iterations", MAX_ORDER)));
+    }
     let (left, right) = (source.definition.angle, source.right_angle());
     let turn = |degrees: f64| turns(degrees, (left, '+'), (right, '-'));
     let own = |action: Action| match action {

@@ -57,7 +57,8 @@ type Writer = fn(&Source<'_>) -> Result<String, Refusal>;
 pub struct Written {
     /// The text, with a line end at its end.
     pub text: String,
-    /// The parts of the definition that are not in the text, as sentences. None of them changes the shape.
+    /// The parts of the definition that are not in the text, as sentences. None of them changes the shape, except by
+    /// rounding.
     pub left_out: Vec<String>,
 }
 

@@ -12,6 +12,9 @@ use lsystem_syntax::Action;
 /// The parts of systems that these objects express beside plain words of a turtle in the plane.
 pub(super) const SPEAKS: &[Need] = &[Need::Chance];
 
+/// The letters without a meaning, the best first.
+const IDLE: &str = "XYZABCDEHIJKLMNOPQRSTUVWabcdehijklmnopqrstuvwxyz";
+
 /// The usual symbols.
 pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, String), Refusal> {
     let angle = source.definition.angle;
@@ -30,7 +33,7 @@ pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, St
     };
     let alphabet = Alphabet {
         label,
-        idle: "XYZABCDEHIJKLMNOPQRSTUVWabcdehijklmnopqrstuvwxyz",
+        idle: IDLE,
         is_upper: false,
         steps: ["FG", "f"],
         own: &own,
@@ -61,6 +64,13 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     } else {
         number(angle)
     };
+    // Packages take an empty successor for none: a letter without a meaning and a rule stands for it.
+    let successors = || rules.iter().flat_map(|(_, successors)| successors);
+    let is_free = |letter: &char| {
+        let is_name = rules.iter().any(|(name, _)| name == letter);
+        !is_name && !axiom.contains(*letter) && !successors().any(|(_, word)| word.contains(*letter))
+    };
+    let nothing = IDLE.chars().find(is_free).map(String::from).unwrap_or_default();
     let mut text = String::new();
     let title = source.title(&[]);
     if !title.is_empty() {
@@ -68,20 +78,20 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     }
     text.push_str("// F and G draw, f moves, + turns left, - turns right; the first heading is up.\n");
     let _ = writeln!(text, "const lsystem = {{\n    axiom: {},\n    productions: {{", quoted(&axiom));
-    for (name, successors) in rules {
-        let _ = writeln!(text, "        {}: {},", quoted(&name.to_string()), choices(&successors));
+    for (name, successors) in &rules {
+        let _ = writeln!(text, "        {}: {},", quoted(&name.to_string()), choices(successors, &nothing));
     }
     let _ = writeln!(text, "    }},\n    angle: {angle},\n    iterations: {},\n}};", source.definition.iterations);
     Ok(text)
 }
 
-/// A successor, or several with weights.
-fn choices(successors: &[(f64, String)]) -> String {
+/// A successor, or several with weights; `nothing` stands for empty ones.
+fn choices(successors: &[(f64, String)], nothing: &str) -> String {
+    let word = |word: &str| quoted(if word.is_empty() { nothing } else { word });
     if let [(_, only)] = successors {
-        return quoted(only);
+        return word(only);
     }
-    let one =
-        |(weight, word): &(f64, String)| format!("{{ weight: {}, successor: {} }}", number(*weight), quoted(word));
+    let one = |(weight, own): &(f64, String)| format!("{{ weight: {}, successor: {} }}", number(*weight), word(own));
     format!("{{ successors: [{}] }}", successors.iter().map(one).collect::<Vec<_>>().join(", "))
 }
 

@@ -12,6 +12,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let title = source.title(&['"', '\\']);
     let title = if title.is_empty() { "An L-system" } else { &title };
     let mut text = format!("\"\"\"{title}: an L-system, drawn by turtle graphics.\"\"\"\n");
+    text.push_str("import math\n");
     if data.is_random {
         text.push_str("import random\n");
     }
@@ -93,52 +94,51 @@ const DERIVE: &str = r#"def derive():
 
 "#;
 
-const DRAW: &str = r#"def draw(word):
-    pen = turtle.Turtle(visible=False)
-    pen.penup()
-    pen.setheading(HEADING)
-    size, sign = STEP, 1
+const DRAW: &str = r#"def walk(word):
+    """The points that the turtle reaches, and whether it draws on the way there."""
+    x, y, heading, step, sign = 0, 0, HEADING, STEP, 1
     saved = []
-    places = [pen.position()]
     for symbol in word:
         for command, number in ACTIONS.get(symbol, []):
-            if command == "draw":
-                pen.pendown()
-                pen.forward(size * number)
-                pen.penup()
-                places.append(pen.position())
-            elif command == "move":
-                pen.forward(size * number)
+            if command in ("draw", "move"):
+                x += step * number * math.cos(math.radians(heading))
+                y += step * number * math.sin(math.radians(heading))
+                yield x, y, command == "draw"
             elif command == "turn":
-                pen.left(sign * number)
+                heading += sign * number
             elif command == "push":
-                saved.append((pen.position(), pen.heading(), size, sign))
-                size *= number
+                saved.append((x, y, heading, step, sign))
+                step *= number
             elif command == "pop" and saved:
-                position, heading, size, sign = saved.pop()
-                pen.setposition(position)
-                pen.setheading(heading)
+                x, y, heading, step, sign = saved.pop()
+                yield x, y, False
             elif command == "scale":
-                size *= number
+                step *= number
             elif command == "swap":
                 sign = -sign
-    return places
 
 
 def main():
+    points = list(walk(derive()))
+    # The drawing fills the window, which is wider than tall by a third.
+    xs, ys, _ = zip((0, 0, False), *points)
+    half = 0.55 * max(max(xs) - min(xs), max(ys) - min(ys), STEP)
+    x, y = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
     screen = turtle.Screen()
-    screen.setup(800, 800)
+    screen.setup(800, 600)
     screen.mode("world")
+    screen.setworldcoordinates(x - half * 4 / 3, y - half, x + half * 4 / 3, y + half)
     screen.tracer(0)
-    places = draw(derive())
-    # The drawing fills the window.
-    low_x, high_x = min(x for x, _ in places), max(x for x, _ in places)
-    low_y, high_y = min(y for _, y in places), max(y for _, y in places)
-    half = 0.55 * max(high_x - low_x, high_y - low_y, STEP)
-    x, y = (low_x + high_x) / 2, (low_y + high_y) / 2
-    screen.setworldcoordinates(x - half, y - half, x + half, y + half)
+    pen = turtle.Turtle(visible=False)
+    pen.speed(0)
+    for x, y, draws in points:
+        if draws:
+            pen.pendown()
+        else:
+            pen.penup()
+        pen.setposition(x, y)
     screen.update()
-    screen.mainloop()
+    turtle.done()
 
 
 if __name__ == "__main__":

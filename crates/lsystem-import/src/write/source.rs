@@ -330,6 +330,10 @@ impl<'a> Source<'a> {
         if notation == "fractint" {
             found.push(say!("The file has no number of iterations: Fractint asks for the order."));
         }
+        let is_fine = |angle: f64| (10.0 * angle - (10.0 * angle).round()).abs() > 1e-9;
+        if notation == "inkscape" && (is_fine(self.definition.angle) || is_fine(self.right_angle())) {
+            found.push(say!("The dialog of Inkscape rounds angles to one decimal."));
+        }
         found
     }
 }

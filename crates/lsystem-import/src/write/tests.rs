@@ -1,7 +1,7 @@
 //! What is written reads back as a system that draws the same, or is refused with a reason.
 
 use super::compare::{choices, difference, placed, shape};
-use super::{NOTATIONS, Notation, Refusal, export};
+use super::{NOTATIONS, Notation, Refusal, Written, export};
 use crate::import;
 use lsystem_base::Limits;
 use lsystem_drawing::{Figure, System};
@@ -214,6 +214,46 @@ fn inkscape_draws_the_same() {
     for (what, definition) in gallery() {
         check_inkscape(&what, &Definition { iterations: definition.iterations.min(4), ..definition });
     }
+}
+
+#[test]
+fn inkscape_turns_left_and_has_limits_of_its_own() {
+    let notation = Notation::named("inkscape").unwrap();
+    let (axiom, rules) = ("F+F".to_owned(), "F -> F".to_owned());
+    let turns = Definition { axiom, rules, angle: 90.0, iterations: 0, ..Definition::default() };
+    let written = export(&turns, notation).unwrap();
+    assert!(written.text.starts_with("Axiom: F+F\n") && written.left_out.is_empty(), "{written:?}");
+    for angle in [137.508, 360.0 / 7.0, 0.05] {
+        let fine = Definition { angle, ..turns.clone() };
+        assert_eq!(export(&fine, notation).unwrap().left_out, ["The dialog of Inkscape rounds angles to one decimal."]);
+    }
+    for angle in [25.7, 114.1, 0.3, 330.0] {
+        assert_eq!(export(&Definition { angle, ..turns.clone() }, notation).unwrap().left_out, [""; 0], "{angle}");
+    }
+    let deep = |iterations| export(&Definition { iterations, ..turns.clone() }, notation).map(|_| ());
+    assert_eq!((deep(100), deep(101)), (Ok(()), Err(Refusal("Inkscape takes at most 100 iterations".to_owned()))));
+}
+
+#[test]
+fn objects_have_no_empty_successor() {
+    let notation = Notation::named("js").unwrap();
+    let (mut written, mut stood_in) = (0, 0);
+    for (what, definition) in gallery() {
+        let Ok(Written { text, .. }) = export(&definition, notation) else { continue };
+        assert!(!text.contains(": \"\""), "{what}: {text}");
+        let vanishes =
+            parse(&definition.axiom, &definition.rules).0.productions.iter().any(|one| one.successor.is_empty());
+        (written, stood_in) = (written + 1, stood_in + u32::from(vanishes));
+    }
+    assert!(written > 50 && stood_in > 1, "{written}, {stood_in}");
+    let chance = Definition {
+        axiom: "FXYZ".into(),
+        rules: "F -> F+F : 1\nF -> : 2\nX ->".into(),
+        angle: 90.0,
+        ..Definition::default()
+    };
+    let text = export(&chance, notation).unwrap().text;
+    assert!(text.contains("successor: \"A\"") && text.contains("\"X\": \"A\""), "{text}");
 }
 
 /// Systems with queries: in the plane and in space, with conditions, with another start and heading.

@@ -4,7 +4,6 @@ python3 drive.py ROLL FILE... : every random choice takes the share ROLL (0 to 1
 """
 
 import itertools
-import math
 import random
 import sys
 import types
@@ -12,34 +11,20 @@ import types
 
 class Turtle:
     def __init__(self, visible=True):
-        self.x, self.y, self.degrees, self.draws = 0.0, 0.0, 0.0, True
+        self.x, self.y, self.draws = 0.0, 0.0, True
 
     def penup(self):
+        global lifts
+        lifts += 1
         self.draws = False
 
     def pendown(self):
         self.draws = True
 
-    def heading(self):
-        return self.degrees
+    def speed(self, speed):
+        pass
 
-    def setheading(self, degrees):
-        self.degrees = degrees
-
-    def left(self, degrees):
-        self.degrees += degrees
-
-    def position(self):
-        return self.x, self.y
-
-    def setposition(self, position):
-        self.go(*position)
-
-    def forward(self, length):
-        angle = math.radians(self.degrees)
-        self.go(self.x + length * math.cos(angle), self.y + length * math.sin(angle))
-
-    def go(self, x, y):
+    def setposition(self, x, y):
         if self.draws:
             lines.append((self.x, self.y, x, y))
         self.x, self.y = x, y
@@ -47,7 +32,7 @@ class Turtle:
 
 class Screen:
     def __init__(self):
-        for name in ["setup", "mode", "tracer", "update", "mainloop", "setworldcoordinates"]:
+        for name in ["setup", "mode", "tracer", "update", "setworldcoordinates"]:
             setattr(self, name, lambda *arguments: None)
 
 
@@ -58,9 +43,12 @@ def choices(population, weights):
 
 roll = float(sys.argv[1])
 random.choices = choices
-sys.modules["turtle"] = types.SimpleNamespace(Turtle=Turtle, Screen=Screen)
+sys.modules["turtle"] = types.SimpleNamespace(Turtle=Turtle, Screen=Screen, done=lambda: None)
 for file in sys.argv[2:]:
-    lines = []
+    lines, lifts, program = [], 0, {"__name__": "__main__"}
     with open(file, encoding="utf-8") as source:
-        exec(compile(source.read(), file, "exec"), {"__name__": "__main__"})
+        exec(compile(source.read(), file, "exec"), program)
+    commands = [command for symbol in program["derive"]() for command, _ in program["ACTIONS"].get(symbol, [])]
+    # The pen is lifted for moves and for ways back alone, since each lift begins another line.
+    assert lifts <= commands.count("move") + commands.count("pop"), file
     print(*(number for line in lines for number in line))

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from . import _core
 from ._drawing import Drawing
 from ._error import LSystemError
+from ._frame import Frame
 
 #: The most segments of a picture that notebooks show as SVG. Larger pictures are PNG, whose size does not grow.
 SVG_SEGMENTS = 20_000
@@ -125,6 +126,11 @@ class System:
         from ._widget import Widget
 
         return Widget(self, **traits)
+
+    def frame(self, **options):
+        """The live drawing as HTML that carries its page, for exported notebooks and static books: `controls`, `theme` and
+        `height` are as for the widget."""
+        return Frame(self, **options)
 
     def _steps(self, n):
         return self.n if n is None else n

@@ -11,16 +11,14 @@ try:
 except ImportError as missing:
     raise ImportError("the widget needs anywidget: pip install 'lsystem-playground[widget]'") from missing
 
-from ._error import LSystemError
+from ._frame import page
 from ._system import System
-
-FOLDER = Path(__file__).parent
 
 
 class Widget(anywidget.AnyWidget):
     """A live drawing. Its traits follow the reader's changes, and the drawing follows changes of its traits."""
 
-    _esm = FOLDER / "widget.js"
+    _esm = Path(__file__).parent / "widget.js"
 
     #: The number of derivation steps, the angle in degrees, and the seed.
     n = traitlets.Int(1, min=0, max=1000).tag(sync=True)
@@ -100,7 +98,4 @@ class Widget(anywidget.AnyWidget):
 @cache
 def _page():
     """The page, compressed for its way to the browser."""
-    try:
-        return gzip.compress((FOLDER / "embed.html").read_bytes(), mtime=0)
-    except FileNotFoundError:
-        raise LSystemError("this build of the package has no page for the widget: name an address by `base`") from None
+    return gzip.compress(page(), mtime=0)

@@ -36,13 +36,13 @@ pub(crate) fn write_pdf(
 ) -> Result<Notes, Halt> {
     let about = About { title: &options.title, system: options.system.trim_end() };
     let is_large = || drawing.check_size(options.most.min(FLAT)).is_err();
-    let mut instances = 0;
+    let painted;
     if let Some(root) = drawing.root.filter(|_| is_shareable(drawing, style) && is_large()) {
         let picture = Compact::new(drawing, root, style, PICTURE, options.most.min(SHARED), sink)?;
         let mut canvas = Canvas::new(about, layout(options, style, picture.size, true), sink);
         picture.write(&mut canvas)?;
         canvas.finish()?;
-        instances = picture.instances();
+        painted = picture.painted();
     } else {
         drawing.check_size(options.most)?;
         let figure = Figure::new(drawing, [PICTURE; 2]);
@@ -51,8 +51,9 @@ pub(crate) fn write_pdf(
         let look = |tint, width| figure.look(style, tint, width);
         write_marks(drawing, style, |point| figure.place(point), look, &mut canvas)?;
         canvas.finish()?;
+        painted = drawing.segment_count();
     }
-    Ok(Notes { remark: warning(instances, style.ink), ..Notes::default() })
+    Ok(Notes { remark: warning(painted, style.ink), ..Notes::default() })
 }
 
 /// The page for a picture of this size in pixels. The origin of its pixels is the upper left corner if `from_top`, or
