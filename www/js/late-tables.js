@@ -28,9 +28,10 @@ export const FORMATS = /* @__PURE__ */ Object.freeze({
     'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purposes: ['data'], content: 'system', options: [] },
     'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purposes: ['data'], content: 'string', options: [] },
     'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false, purposes: ['data'], content: 'segments', options: [] },
-    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest'] },
-    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest'] },
-    'stl': { ending: 'stl', mime: 'model/stl', label: 'STL', help: 'Mesh of closed tubes and slabs for printers, 100 mm long', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest'] },
+    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest', 'height'] },
+    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest', 'height'] },
+    'stl': { ending: 'stl', mime: 'model/stl', label: 'STL', help: 'Closed tubes and slabs for printers, in millimetres, on a foot', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest', 'height', 'thinnest', 'foot'] },
+    'scad': { ending: 'scad', mime: 'application/x-openscad', label: 'OpenSCAD', help: 'Union of convex bodies for OpenSCAD, in millimetres, to cut and to join with other solids', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest', 'height', 'thinnest', 'foot'] },
 });
 
 /** Notations that systems are written in, by name: what the page calls them, what they are, and the ending of files. */
@@ -94,6 +95,9 @@ export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
     'lift': { kind: 'number', low: 0, high: 60, step: 0.1, default: 0.2, label: 'Lift time', help: 'Seconds to raise and lower the pen, for the estimate of time', unit: 's' },
     'whole-sheet': { kind: 'flag', label: 'Whole sheet', help: 'Fill the sheet, instead of ending the page at the edge of the drawing', unit: '' },
     'finest': { kind: 'number', low: 0, high: 20, step: 0.1, default: 0, label: 'Finest part', help: 'Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all', unit: '%' },
+    'height': { kind: 'number', low: 0, high: 10000, step: 0.1, default: 0, label: 'Height', help: 'Height of a mesh: mm in STL and OpenSCAD, metres in glTF, units in OBJ; 0 for a longest side of 100 mm, and for steps of 1 m', unit: '' },
+    'thinnest': { kind: 'number', low: 0, high: 20, step: 0.1, default: 0.8, label: 'Thinnest wall', help: 'Least thickness of tubes and leaves of a print', unit: 'mm' },
+    'foot': { kind: 'number', low: 0, high: 100, step: 1, default: 5, label: 'Foot', help: 'Distance by which a foot under a print reaches beyond what stands on it; 0 for none', unit: 'mm' },
     'pitch': { kind: 'word', words: { 'height': 'By height', 'letter': 'By letter' }, default: 'height', label: 'Pitch', help: 'Pitch of a note, by the height of the line\'s end or by the letter that draws the line', unit: '' },
     'time': { kind: 'word', words: { 'step': 'Line after line', 'length': 'By length, branches together' }, default: 'step', label: 'Time', help: 'Time of a note: line after line in drawing order, or by length with branches together', unit: '' },
     'scale': { kind: 'word', words: { 'pentatonic': 'Pentatonic', 'major': 'Major', 'minor': 'Minor', 'chromatic': 'Chromatic' }, default: 'pentatonic', label: 'Scale', help: 'Tones of an octave, on C', unit: '' },

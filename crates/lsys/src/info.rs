@@ -8,6 +8,7 @@ use lsystem::base::words::{said, shown};
 use lsystem::base::{say, word};
 use lsystem::derive::Tally;
 use lsystem::drawing::why_empty;
+use lsystem::files::thin_strokes;
 use lsystem::syntax::visible;
 use lsystem::{Figure, Progress, count_segments, count_symbols};
 use serde::Serialize;
@@ -38,6 +39,8 @@ struct FileFacts {
     memoised: Option<bool>,
     /// The number of blocks of the drawing.
     blocks: Option<usize>,
+    /// What is too thin for a print, as [`thin_strokes`].
+    print: Option<String>,
     /// The message about the limit that the drawing exceeds.
     limit: Option<String>,
 }
@@ -100,6 +103,7 @@ fn facts(input: &InputSystem, shares: u64) -> FileFacts {
             .filter(|b| b.iter().all(|x| x.is_finite())),
         memoised: drawn.map(Figure::is_memoised),
         blocks: drawn.map(Figure::block_count),
+        print: drawn.and_then(thin_strokes),
         limit: limit.map(|limit| limit.message.clone()),
     }
 }
@@ -142,7 +146,7 @@ impl GenerationCounts {
 }
 
 /// The labels of the rows.
-const LABELS: [&str; 9] = [
+const LABELS: [&str; 10] = [
     word!("file"),
     word!("kind"),
     word!("iterations"),
@@ -151,6 +155,7 @@ const LABELS: [&str; 9] = [
     word!("segments"),
     word!("bounds"),
     word!("growth"),
+    word!("print"),
     word!("limit"),
 ];
 
@@ -168,7 +173,7 @@ impl Display for FileFacts {
         writeln!(f, "{}", visible(title.map_or("", String::as_str)))?;
         let labels = LABELS.map(said);
         let width = labels.iter().map(|label| label.chars().count()).max().unwrap_or_default();
-        let [file, kind, iterations, seed, symbols, segments, bounds, growth, limit] = labels;
+        let [file, kind, iterations, seed, symbols, segments, bounds, growth, print, limit] = labels;
         let mut row = |label: &str, value: &str| writeln!(f, "  {label:width$}  {value}");
         let unknown = || say!("unknown");
         row(&file, &visible(&self.file))?;
@@ -194,6 +199,7 @@ impl Display for FileFacts {
             let segments = segments.map_or_else(unknown, factor);
             row(&growth, &say!("symbols {}, segments {} in the last step", factor(symbols), segments))?;
         }
+        self.print.as_ref().map_or(Ok(()), |words| row(&print, words))?;
         self.limit.as_ref().map_or(Ok(()), |words| row(&limit, &visible(words)))
     }
 }

@@ -174,6 +174,12 @@ impl<S: Space> Drawing<S> {
         }
     }
 
+    /// The width of the widest stroke, in model units.
+    #[must_use]
+    pub fn widest_stroke(&self) -> f64 {
+        self.root.map_or(0.0, |root| self.widest(root)) * self.step.abs()
+    }
+
     /// The width of the widest stroke, in steps.
     fn widest(&self, root: BlockId) -> f64 {
         let bound = self.blocks[root.0 as usize].widest;

@@ -32,13 +32,21 @@ pub enum MeshForm {
     Coloured,
     /// One mesh for a printer, without colours: polygons are slabs as thick as the thinnest tube, so that every part has a
     /// volume, and a stroke at the place of an earlier stroke of the same width is left out. Every edge joins exactly
-    /// two triangles.
-    Printed,
+    /// two triangles. The corners and the triangles of a closed body follow each other.
+    Printed {
+        /// Whether each stroke, and each triangle of a polygon, is a convex body of its own.
+        in_pieces: bool,
+    },
     /// A mesh for each material. Polygons have one side, because their material shows both.
     Apart {
         /// Whether each colour has a material of its own.
         by_colour: bool,
     },
+}
+
+impl MeshForm {
+    /// A print of convex bodies.
+    pub const PIECES: Self = Self::Printed { in_pieces: true };
 }
 
 /// The choices for a mesh.
@@ -50,7 +58,8 @@ pub struct MeshOptions {
     pub most: u64,
     /// The most bytes of the mesh. While a list grows, its former bytes count extra.
     pub memory: u64,
-    /// The least diameter of a tube, in parts of the drawing's longest side.
+    /// The least diameter of a tube, in parts of the drawing's longest side: in prints between opposite sides, elsewhere
+    /// between opposite corners.
     pub thinnest: f64,
     /// Blocks with at most this many segments and polygons stay whole: [`MeshParts::blocks`] has their places instead.
     /// 0 for none.
@@ -85,14 +94,6 @@ impl Mesh {
     /// polygons.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
         Self::with(drawing, style, &MeshOptions { most, ..MeshOptions::default() })
-    }
-
-    /// As [`Mesh::new`], for a printer ([`MeshForm::Printed`]).
-    ///
-    /// # Errors
-    /// As [`Mesh::new`].
-    pub fn for_printing(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
-        Self::with(drawing, style, &MeshOptions { form: MeshForm::Printed, most, ..MeshOptions::default() })
     }
 
     fn with(drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Result<Self, Diagnostic> {
@@ -134,6 +135,10 @@ pub struct MeshParts {
     pub count: u64,
     /// The least diameter of a tube, in model units.
     pub least_width: f64,
+    /// The number of strokes that are thinner in the drawing, and the thinnest one's diameter.
+    pub thin: (u64, f64),
+    /// The height of the lowest axis or vertex of a polygon, in model units.
+    pub ground: f64,
 }
 
 impl MeshParts {
@@ -182,14 +187,15 @@ impl MeshParts {
         options: &MeshOptions,
         work: &mut dyn Work,
     ) -> Result<Self, Halt> {
-        let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
+        let [low, high] = drawing.bounds().unwrap_or_default();
+        let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
         let sides = match drawing.segment_count() {
             0..=20_000 => 8,
             20_001..=100_000 => 6,
             _ => 4,
         };
         let thinnest = (style.min_width.max(0.1) / PICTURE).max(options.thinnest);
-        let mut tubes = Tubes::new(options.form, sides, 0.5 * thinnest * extent);
+        let mut tubes = Tubes::new(options.form, sides, 0.5 * thinnest, extent);
         let (mut blocks, mut count) = (vec![], 0);
         let check_memory = |tubes: &Tubes| match tubes.bytes() > options.memory {
             true => Err(Diagnostic::limit(LimitName::Memory, options.memory, None)),
@@ -221,7 +227,8 @@ impl MeshParts {
         tubes.reserve_end();
         check_memory(&tubes)?;
         tubes.close();
-        Ok(Self { least_width: tubes.least_width(), meshes: tubes.meshes, blocks, count })
+        let (least_width, thin, ground) = (tubes.least_width(), tubes.thin, low[1]);
+        Ok(Self { least_width, thin, ground, meshes: tubes.meshes, blocks, count })
     }
 }
 
@@ -249,6 +256,11 @@ mod tests {
         };
         let system = System::new(&definition).unwrap();
         Mesh::new(&draw::<Solid>(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
+    }
+
+    fn printed(drawing: &Drawing<Solid>, style: &Style, in_pieces: bool) -> Mesh {
+        let options = MeshOptions { form: MeshForm::Printed { in_pieces }, ..MeshOptions::default() };
+        Mesh::with(drawing, style, &options).unwrap()
     }
 
     /// The volume inside; triangles that face inwards count as negative.
@@ -311,7 +323,7 @@ mod tests {
         let definition = Definition { axiom: "{f+f+f}".into(), angle: 90.0, ..Definition::default() };
         let style = Style { min_width: 102.4, ..Style::default() };
         let system = System::new(&definition).unwrap();
-        let leaf = Mesh::for_printing(&draw::<Solid>(&system, 0, &Limits::default()).unwrap(), &style, 100).unwrap();
+        let leaf = printed(&draw::<Solid>(&system, 0, &Limits::default()).unwrap(), &style, false);
         check_closed(&leaf);
         // The least width is a tenth of the extent, which is 1; the outline is a square.
         assert!((volume(&leaf) - 0.1).abs() < 1e-6, "{}", volume(&leaf));
@@ -323,10 +335,46 @@ mod tests {
         let definition = Definition { axiom: "F[F]FF|FF".into(), ..Definition::default() };
         let system = System::new(&definition).unwrap();
         let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
-        let print = Mesh::for_printing(&drawing, &definition.style, 100).unwrap();
+        let print = printed(&drawing, &definition.style, false);
         check_closed(&print);
         // Two tubes are left: from 0 to 2 with three rings, and from 2 to 3.
         assert_eq!(print.positions.len(), (3 * 8 + 2) + (2 * 8 + 2));
+    }
+
+    #[test]
+    fn polygons_have_no_triangles_without_area() {
+        // The last vertex is the first one; the second one lies on the way to the third.
+        for (axiom, triangles) in [("{f+f+f}", 2), ("{ff+f+f+ff}", 4), ("{f+f+f+f-f+f+f}", 6)] {
+            let leaf = mesh(axiom, "", 120.0, 0);
+            let area = |t: &[u32; 3]| {
+                let [a, b, c] = t.map(|corner| leaf.positions[corner as usize].map(f64::from));
+                norm(cross(crate::rotation::minus(b, a), crate::rotation::minus(c, a)))
+            };
+            assert!(leaf.triangles.iter().all(|t| area(t) > 1e-6), "{axiom}");
+            assert!(
+                leaf.triangles.len() <= triangles && !leaf.triangles.is_empty(),
+                "{axiom}: {}",
+                leaf.triangles.len()
+            );
+        }
+    }
+
+    #[test]
+    fn strokes_of_a_print_in_pieces_are_closed_bodies() {
+        let definition = Definition { axiom: "F+F[{f+f+f+f}]F/F&F".into(), angle: 50.0, ..Definition::default() };
+        let drawing = draw::<Solid>(&System::new(&definition).unwrap(), 0, &Limits::default()).unwrap();
+        let style = Style { width: 0.1, max_width: 0.0, ..Style::default() };
+        let [chains, pieces] = [false, true].map(|in_pieces| printed(&drawing, &style, in_pieces));
+        check_closed(&pieces);
+        assert!((volume(&chains) - volume(&pieces)).abs() < 1e-6, "{} {}", volume(&chains), volume(&pieces));
+        // Four rings in the chains have a body on each side.
+        assert!(pieces.positions.len() > chains.positions.len() && pieces.triangles.len() > chains.triangles.len());
+        // A joint that does not fit into its short strokes is none.
+        let thick = Style { width: 1.5, ..style };
+        let zigzag =
+            Definition { axiom: "F+F-F+F-F".into(), angle: 80.0, style: thick.clone(), ..Definition::default() };
+        let drawing = draw::<Solid>(&System::new(&zigzag).unwrap(), 0, &Limits::default()).unwrap();
+        assert_eq!(printed(&drawing, &thick, false).positions.len(), 5 * 18);
     }
 
     #[test]

@@ -147,7 +147,7 @@ pub const PNG: Format = format("png", "png", "image/png", "PNG")
     .reads(&["size", "dpi", "transparent", "bare"]);
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 17] = [
+pub static FORMATS: [Format; 18] = [
     format("svg", "svg", "image/svg+xml", "SVG")
         .help("Picture of strokes")
         .of(
@@ -230,19 +230,24 @@ pub static FORMATS: [Format; 17] = [
         .help("Mesh of coloured tubes, as text")
         .of(&[Purpose::Mesh], Content::Mesh(mesh_file::obj))
         .made_in_memory()
-        .reads(&["finest"]),
+        .reads(&["finest", "height"]),
     format("glb", "glb", "model/gltf-binary", "glTF")
         .help(GLB)
         .of(&[Purpose::Mesh], Content::Mesh(mesh_file::glb))
         .binary()
         .made_in_memory()
-        .reads(&["finest"]),
+        .reads(&["finest", "height"]),
     format("stl", "stl", "model/stl", "STL")
-        .help("Mesh of closed tubes and slabs for printers, 100 mm long")
+        .help("Closed tubes and slabs for printers, in millimetres, on a foot")
         .of(&[Purpose::Mesh], Content::Mesh(mesh_file::stl))
         .binary()
         .made_in_memory()
-        .reads(&["finest"]),
+        .reads(&["finest", "height", "thinnest", "foot"]),
+    format("scad", "scad", "application/x-openscad", "OpenSCAD")
+        .help("Union of convex bodies for OpenSCAD, in millimetres, to cut and to join with other solids")
+        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::scad))
+        .made_in_memory()
+        .reads(&["finest", "height", "thinnest", "foot"]),
 ];
 
 /// A row with its name, the ending of file names, the media type and the label.

@@ -1,5 +1,5 @@
-//! File formats: systems as JSON, in links and typeset; drawings as SVG, PDF, TikZ, CSV and plots; meshes as OBJ, glTF
-//! and STL; PNG pictures; the turtle's walk as MIDI.
+//! File formats: systems as JSON, in links and typeset; drawings as SVG, PDF, TikZ, CSV and plots; meshes as OBJ, glTF,
+//! STL and OpenSCAD; PNG pictures; the turtle's walk as MIDI.
 //!
 //! [`FORMATS`] is the table of all formats that are written, [`FILE_OPTIONS`] that of the choices for them. [`make`]
 //! writes a file of any format from a definition and its system. It is straight code over a [`Sink`], which hands
@@ -41,6 +41,8 @@ mod pen;
 mod plot_svg;
 mod png;
 mod png_writer;
+mod print;
+mod scad;
 mod segments;
 mod sink;
 mod stl;
@@ -65,6 +67,7 @@ pub use options::FileOptions;
 pub use paper::{LATEX_START, bibtex, latex, markdown, write_tikz_library};
 pub use plot_svg::write_plot;
 pub use png_writer::{PngOptions, write_png};
+pub use print::{Print, thin_strokes};
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sink::{Notes, Owner, Sink, WriteResult, collect};
 pub use stl::write_stl;

@@ -2,8 +2,9 @@
 
 use crate::gltf::glb_file;
 use crate::obj::obj_file;
-use crate::{FileOptions, Notes, Sink, write_stl};
-use lsystem_drawing::{Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid};
+use crate::scad::write_scad;
+use crate::{FileOptions, Notes, Print, Sink, write_stl};
+use lsystem_drawing::{Drawing, MeshForm, MeshOptions, MeshParts, Solid};
 use lsystem_syntax::{Halt, Style};
 use std::sync::Arc;
 
@@ -14,8 +15,14 @@ pub(crate) fn obj(
     options: &FileOptions,
     sink: &mut Sink<'_>,
 ) -> Result<Notes, Halt> {
-    let mesh = mesh(drawing, style, options, MeshForm::Coloured, sink)?;
-    obj_file(&mesh, &options.title, sink)?;
+    // The drawing is dropped after the mesh is made, to save memory.
+    let mesh = {
+        let drawing = simplified(drawing, options, sink)?;
+        let &FileOptions { most, memory, .. } = options;
+        let options = MeshOptions { form: MeshForm::Coloured, most, memory, ..MeshOptions::default() };
+        MeshParts::new(&drawing, style, &options, sink)?.into_first()
+    };
+    obj_file(&mesh, &options.title, options.height, sink)?;
     Ok(Notes::default())
 }
 
@@ -26,9 +33,21 @@ pub(crate) fn stl(
     options: &FileOptions,
     sink: &mut Sink<'_>,
 ) -> Result<Notes, Halt> {
-    let mesh = mesh(drawing, style, options, MeshForm::Printed, sink)?;
-    write_stl(mesh, sink)?;
-    Ok(Notes::default())
+    let (print, notes) = print(drawing, style, options, false, sink)?;
+    write_stl(print, sink)?;
+    Ok(notes)
+}
+
+/// Writes a program for OpenSCAD.
+pub(crate) fn scad(
+    drawing: Arc<Drawing<Solid>>,
+    style: &Style,
+    options: &FileOptions,
+    sink: &mut Sink<'_>,
+) -> Result<Notes, Halt> {
+    let (print, notes) = print(drawing, style, options, true, sink)?;
+    write_scad(&print, sink)?;
+    Ok(notes)
 }
 
 /// Writes binary glTF.
@@ -42,20 +61,17 @@ pub(crate) fn glb(
     Ok(Notes::default())
 }
 
-/// The mesh of a drawing. The drawing is dropped after the mesh is made, to save memory.
-fn mesh(
+/// The print of a drawing, and what is to be told about it. The drawing is dropped, to save memory.
+fn print(
     drawing: Arc<Drawing<Solid>>,
     style: &Style,
     options: &FileOptions,
-    form: MeshForm,
+    in_pieces: bool,
     sink: &mut Sink<'_>,
-) -> Result<Mesh, Halt> {
-    let drawing = simplified(drawing, options, sink)?;
-    let FileOptions { most, memory, .. } = *options;
-    // A printer cannot print tubes that are thinner than its finest part.
-    let thinnest = if form == MeshForm::Printed { options.finest } else { 0.0 };
-    let options = MeshOptions { form, most, memory, thinnest, whole: 0 };
-    MeshParts::new(&drawing, style, &options, sink).map(MeshParts::into_first)
+) -> Result<(Print, Notes), Halt> {
+    let mut print = Print::new(&*simplified(drawing, options, sink)?, style, options, in_pieces, sink)?;
+    let notes = Notes { remark: print.remark.take(), summary: Some(print.words()) };
+    Ok((print, notes))
 }
 
 /// The drawing in which fine parts are one stroke each.

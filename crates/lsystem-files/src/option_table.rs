@@ -3,6 +3,7 @@
 //! A new choice needs a member of [`FileOptions`], a row here, and its name in the rows of the formats that read it.
 
 use crate::FileOptions;
+use crate::print::{FOOT, THINNEST};
 use lsystem_base::number::number;
 use lsystem_base::say;
 use lsystem_base::words::grouped;
@@ -90,7 +91,7 @@ pub enum OptionValue {
 }
 
 /// All choices. Values are applied in this order.
-pub static FILE_OPTIONS: [FileOption; 24] = [
+pub static FILE_OPTIONS: [FileOption; 27] = [
     choice("size", "Size", "Width and height of a picture")
         .unit("pixels")
         .text(OptionKind::Size, |options, value| options.size = value.size()),
@@ -174,6 +175,19 @@ pub static FILE_OPTIONS: [FileOption; 24] = [
     )
     .unit("%")
     .number([0.0, 20.0, 0.1, 0.0], |options, value| options.finest = value / 100.0),
+    choice(
+        "height",
+        "Height",
+        "Height of a mesh: mm in STL and OpenSCAD, metres in glTF, units in OBJ; 0 for a longest side of 100 mm, and for \
+         steps of 1 m",
+    )
+    .number([0.0, 10_000.0, 0.1, 0.0], |options, value| options.height = value),
+    choice("thinnest", "Thinnest wall", "Least thickness of tubes and leaves of a print")
+        .unit("mm")
+        .number([0.0, 20.0, 0.1, THINNEST], |options, value| options.thinnest = value),
+    choice("foot", "Foot", "Distance by which a foot under a print reaches beyond what stands on it; 0 for none")
+        .unit("mm")
+        .number([0.0, 100.0, 1.0, FOOT], |options, value| options.foot = value),
     choice("pitch", "Pitch", "Pitch of a note, by the height of the line's end or by the letter that draws the line")
         .words(&[("height", "By height"), ("letter", "By letter")], |options, value| {
             options.sound.pitch = if value.text() == "letter" { Pitch::Letter } else { Pitch::Height }

@@ -1,5 +1,6 @@
 //! The choices for a file. Each format reads those that it needs.
 
+use crate::print::{FOOT, THINNEST};
 use lsystem_plot::{PlotOptions, Sheet};
 use lsystem_sound::SoundOptions;
 
@@ -19,6 +20,12 @@ pub struct FileOptions {
     pub memory: u64,
     /// The size under which parts of a mesh become one tube, in parts of the longest side; 0 for none.
     pub finest: f64,
+    /// The height of a mesh, in the format's unit; 0 for the height that the format has by default.
+    pub height: f64,
+    /// The least thickness of tubes and slabs of a print, in millimetres.
+    pub thinnest: f64,
+    /// The distance by which a print's foot reaches beyond it, in millimetres; 0 for no foot.
+    pub foot: f64,
     /// The sheet of formats for paper.
     pub sheet: Sheet,
     /// The width and the height of formats of pixels; `None` for the size that suits the drawing.
@@ -47,6 +54,9 @@ impl Default for FileOptions {
             most: 2_000_000,
             memory: u64::MAX,
             finest: 0.0,
+            height: 0.0,
+            thinnest: THINNEST,
+            foot: FOOT,
             sheet: Sheet::default(),
             is_cropped: true,
             plot: PlotOptions::default(),

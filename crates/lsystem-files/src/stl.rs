@@ -4,15 +4,12 @@
 //! same place, and joined corners would give edges with four triangles. So no two corners of the mesh get the same
 //! place: the file is as closed as the mesh.
 
-use crate::Sink;
-use lsystem_drawing::Mesh;
+use crate::{Print, Sink};
 use lsystem_syntax::{Halt, Work};
 use std::collections::HashMap;
 
-/// The longest side of the mesh, in millimetres. STL has no units, and programs read its numbers as millimetres.
-const LONGEST: f64 = 100.0;
 /// The places for corners in a millimetre: more than any printer resolves, and few enough for `f32`.
-const PLACES: f64 = 10_000.0;
+pub(crate) const PLACES: f64 = 10_000.0;
 /// The first 80 bytes. They must not begin with `solid`, which marks the text form of the format.
 const HEADER: &[u8; 80] = b"Binary STL, millimetres, z up                                                   ";
 /// The units of work of one triangle.
@@ -20,16 +17,15 @@ const TRIANGLE_WORK: u64 = 8;
 /// The units of work to try a place.
 const PLACE_WORK: u64 = 4;
 
-/// Writes a mesh in the form [`MeshForm::Printed`](lsystem_drawing::MeshForm::Printed): each triangle with its normal.
-/// The mesh is 100 mm long on its longest side, stands on z = 0, and its y axis becomes z, as printers have it. Colours
-/// are lost.
+/// Writes a print: each triangle with its normal. STL has no units, and programs read its numbers as millimetres.
+/// Colours are lost.
 ///
 /// # Errors
 /// If the owner of the sink stops the work.
-pub fn write_stl(mesh: Mesh, sink: &mut Sink<'_>) -> Result<(), Halt> {
-    let places = places(&mesh, sink)?;
+pub fn write_stl(print: Print, sink: &mut Sink<'_>) -> Result<(), Halt> {
+    let places = places(&print.corners, sink)?;
     // Only the triangles are left to write.
-    let triangles = mesh.triangles;
+    let triangles = print.triangles;
     sink.bytes(HEADER)?;
     sink.bytes(&(triangles.len() as u32).to_le_bytes())?;
     for triangle in triangles {
@@ -42,22 +38,13 @@ pub fn write_stl(mesh: Mesh, sink: &mut Sink<'_>) -> Result<(), Halt> {
     Ok(())
 }
 
-/// A place of its own for each corner, z up: the nearest free one to the right.
-fn places(mesh: &Mesh, work: &mut dyn Work) -> Result<Vec<[i32; 3]>, Halt> {
-    let side = |axis: usize, start: f64, pick: fn(f64, f64) -> f64| {
-        mesh.positions.iter().map(|corner| f64::from(corner[axis])).fold(start, pick)
-    };
-    let low = [0, 1, 2].map(|axis| side(axis, f64::INFINITY, f64::min));
-    let high = [0, 1, 2].map(|axis| side(axis, f64::NEG_INFINITY, f64::max));
-    let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
-    let scale = if longest > 0.0 { LONGEST / longest } else { 1.0 };
+/// A place of its own for each corner: the nearest free one to the right.
+fn places(corners: &[[f32; 3]], work: &mut dyn Work) -> Result<Vec<[i32; 3]>, Halt> {
     // The places in use, each with the distance to the next place to try.
     let mut taken = HashMap::<[i32; 3], u32>::new();
     let mut places = vec![];
-    for corner in &mesh.positions {
-        let [x, y, z] =
-            [0, 1, 2].map(|axis| libm::round((f64::from(corner[axis]) - low[axis]) * scale * PLACES) as i32);
-        let first = [x, -z, y];
+    for corner in corners {
+        let first = corner.map(|c| libm::round(f64::from(c) * PLACES) as i32);
         let mut right = taken.get(&first).copied().unwrap_or(0);
         let mut place = [first[0] + right as i32, first[1], first[2]];
         work.charge(PLACE_WORK)?;
@@ -86,22 +73,23 @@ fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collect;
-    use lsystem_base::Limits;
+    use crate::{FileOptions, collect};
+    use lsystem_base::{Limits, Meter};
     use lsystem_drawing::{Solid, System, draw};
     use lsystem_syntax::{Definition, Style};
     use std::collections::BTreeMap;
 
-    fn mesh(axiom: &str) -> Mesh {
+    fn print(axiom: &str) -> Print {
         let style = Style { width: 0.1, ..Style::default() };
         let definition = Definition { axiom: axiom.into(), angle: 30.0, style, ..Definition::default() };
         let system = System::new(&definition).unwrap();
         let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
-        Mesh::for_printing(&drawing, &definition.style, 1_000).unwrap()
+        let options = FileOptions { foot: 0.0, ..FileOptions::default() };
+        Print::new(&drawing, &definition.style, &options, false, &mut Meter::new(u64::MAX)).unwrap()
     }
 
-    fn written(mesh: Mesh) -> Vec<u8> {
-        collect(|sink| write_stl(mesh, sink)).unwrap().0
+    fn written(print: Print) -> Vec<u8> {
+        collect(|sink| write_stl(print, sink)).unwrap().0
     }
 
     /// The triangles of a file, corner by corner as bits.
@@ -121,7 +109,7 @@ mod tests {
             // Leaves at the same place, a leaf that touches itself, and one with a spike.
             "{f+f+f+f}+{f+f+f}{f-f-f-f+f+f+f+f}{f+f|f+f}",
         ] {
-            let file = written(mesh(axiom));
+            let file = written(print(axiom));
             let mut edges = BTreeMap::<_, [u32; 2]>::new();
             for [a, b, c] in triangles(&file) {
                 for (from, to) in [(a, b), (b, c), (c, a)] {
@@ -134,10 +122,10 @@ mod tests {
 
     #[test]
     fn a_print_stands_on_the_ground() {
-        let file = written(mesh("FFF"));
+        let file = written(print("FFF"));
         let heights: Vec<f32> = triangles(&file).iter().flatten().map(|corner| f32::from_bits(corner[2])).collect();
         let [low, high] = [heights.iter().copied().fold(9.0, f32::min), heights.iter().copied().fold(0.0, f32::max)];
         assert_eq!([low, high], [0.0, 100.0]);
-        assert_eq!(written(Mesh::default()).len(), 84);
+        assert_eq!(written(Print::default()).len(), 84);
     }
 }

@@ -2,8 +2,8 @@
 
 use lsystem_base::{LimitName, Limits, MAX_MESH_COPIES, Meter};
 use lsystem_drawing::rotation::{Axis, Rotation};
-use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw};
-use lsystem_files::{Content, FileOptions, Format, collect, read_json, write_glb, write_stl};
+use lsystem_drawing::{Drawing, Figure, Mark, Mesh, Solid, System, draw};
+use lsystem_files::{Content, FileOptions, Format, Print, collect, read_json, thin_strokes, write_glb, write_stl};
 use lsystem_syntax::{Definition, Diagnostic, Heading, Kind, Style};
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
@@ -59,8 +59,23 @@ fn edges(file: &[u8]) -> HashMap<[[u32; 3]; 2], [u32; 2]> {
     edges
 }
 
+fn print(drawing: &Drawing<Solid>, style: &Style, options: &FileOptions, in_pieces: bool) -> Print {
+    Print::new(drawing, style, options, in_pieces, &mut Meter::new(u64::MAX)).unwrap()
+}
+
+/// The heights at which a triangle of a print begins and ends, in order.
+fn heights(print: &Print) -> Vec<[f32; 2]> {
+    let ends = |triangle: &[u32; 3]| {
+        let heights = triangle.map(|corner| print.corners[corner as usize][2]);
+        [heights.into_iter().fold(f32::INFINITY, f32::min), heights.into_iter().fold(0.0, f32::max)]
+    };
+    let mut heights: Vec<[f32; 2]> = print.triangles.iter().map(ends).collect();
+    heights.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    heights
+}
+
 #[test]
-fn every_print_is_closed() {
+fn every_print_can_be_printed_and_no_mesh_has_empty_triangles() {
     let mut tried = 0;
     for folder in std::fs::read_dir(data("")).unwrap() {
         for file in std::fs::read_dir(folder.unwrap().path()).unwrap() {
@@ -70,15 +85,110 @@ fn every_print_is_closed() {
             }
             let definition = definition(&path);
             let drawing = deepest(&definition, 1_000);
-            let mesh = Mesh::for_printing(&drawing, &definition.style, u64::MAX).unwrap();
-            let edges = edges(&collect::<Vec<u8>, _>(|sink| write_stl(mesh, sink)).unwrap().0);
+            let print = print(&drawing, &definition.style, &FileOptions::default(), false);
+            if !print.triangles.is_empty() {
+                tried += 1;
+                assert!(print.section >= 0.5, "{}: stands on {} mm²", path.display(), print.section);
+                let mut top = 0.0_f32;
+                for [low, high] in heights(&print) {
+                    assert!((0.0..=top + 0.05).contains(&low), "{}: a gap below {low} mm", path.display());
+                    top = top.max(high);
+                }
+            }
+            let edges = edges(&collect::<Vec<u8>, _>(|sink| write_stl(print, sink)).unwrap().0);
             // One triangle on each side, and the two go along the edge in opposite directions.
             let wrong = edges.values().filter(|&&count| count != [1, 1]).count();
             assert_eq!(wrong, 0, "{} of {} edges: {}", wrong, edges.len(), path.display());
-            tried += usize::from(!edges.is_empty());
+            let mesh = Mesh::new(&drawing, &definition.style, u64::MAX).unwrap();
+            let places = |triangle: &[u32; 3]| triangle.map(|corner| mesh.positions[corner as usize].map(f32::to_bits));
+            let is_empty = |[a, b, c]: [[u32; 3]; 3]| a == b || b == c || c == a;
+            assert!(!mesh.triangles.iter().map(places).any(is_empty), "{}: equal corners", path.display());
+            let is_negative_zero = |value: &f32| value.to_bits() == (-0.0_f32).to_bits();
+            assert!(!mesh.positions.iter().chain(&mesh.normals).flatten().any(is_negative_zero), "{}", path.display());
         }
     }
     assert!(tried > 90, "{tried}");
+}
+
+#[test]
+fn no_wall_of_a_print_is_thinner_than_asked() {
+    let definition = definition(&data("abop/1.24f.json"));
+    let drawing = drawing(&definition, 3);
+    let width = |options: &FileOptions| {
+        let print = print(&drawing, &definition.style, &FileOptions { foot: 0.0, ..options.clone() }, true);
+        let mut widths = vec![];
+        for (body, &start) in print.bodies.iter().enumerate() {
+            let end = print.bodies.get(body + 1).map_or(print.triangles.len(), |&end| end as usize);
+            let corners = || print.triangles[start as usize..end].iter().flatten().map(|&c| print.corners[c as usize]);
+            // The drawing lies in the plane y = 0.
+            let [low, high] =
+                [corners().map(|c| c[1]).fold(9e9, f32::min), corners().map(|c| c[1]).fold(0.0, f32::max)];
+            widths.push(f64::from(high - low));
+        }
+        assert_eq!(widths.len(), 63);
+        (widths.into_iter().fold(f64::INFINITY, f64::min), print.remark)
+    };
+    let usual = FileOptions::default();
+    let (thinnest, remark) = width(&FileOptions { height: 20.0, ..usual.clone() });
+    assert!((0.8..0.95).contains(&thinnest), "{thinnest}");
+    let remark = remark.unwrap();
+    assert!(remark.message.starts_with("63 strokes would be thinner than 0.8 mm"), "{}", remark.message);
+    // From the height that is told on, no stroke is made thicker.
+    let told: f64 = remark.hint.unwrap().split(' ').find_map(|word| word.parse().ok()).unwrap();
+    assert_eq!(width(&FileOptions { height: told + 4.0, ..usual.clone() }).1, None);
+    let (thinnest, remark) = width(&FileOptions { height: told - 4.0, ..usual.clone() });
+    assert!(thinnest >= 0.8 && remark.is_some(), "{thinnest}");
+    assert!((2.0..2.4).contains(&width(&FileOptions { thinnest: 2.0, height: 60.0, ..usual }).0));
+    let words = thin_strokes(&Figure::Space(drawing.clone()));
+    assert_eq!(words.is_some(), told > 100.0, "{words:?}");
+}
+
+#[test]
+fn meshes_have_the_height_that_is_asked_for() {
+    let options = FileOptions { height: 2.0, ..FileOptions::default() };
+    let span = |heights: Vec<f64>| {
+        let [low, high] = [heights.iter().copied().fold(9e9, f64::min), heights.iter().copied().fold(-9e9, f64::max)];
+        assert!((high - low - 2.0).abs() < 1e-4, "{low} to {high}");
+    };
+    for n in [3, 7] {
+        let drawing = drawing(&tree(), n);
+        let file = written("glb", drawing.clone(), &options).unwrap();
+        let (json, binary) = chunks(&file);
+        let scale = numbers(&json["nodes"][0]["scale"])[1];
+        span(unfolded(&json, binary).iter().map(|corner| scale * corner[1]).collect());
+        let text = String::from_utf8(written("obj", drawing.clone(), &options).unwrap()).unwrap();
+        let lines = text.lines().filter_map(|line| line.strip_prefix("v "));
+        span(lines.map(|line| line.split(' ').nth(1).unwrap().parse().unwrap()).collect());
+        span(heights(&print(&drawing, &tree().style, &options, false)).iter().flatten().map(|&c| c.into()).collect());
+    }
+}
+
+#[test]
+fn bodies_for_openscad_are_closed_and_face_outwards() {
+    let file = written("scad", drawing(&tree(), 4), &FileOptions::default()).unwrap();
+    let text = String::from_utf8(file).unwrap();
+    let mut count = 0;
+    for line in text.lines().filter_map(|line| line.strip_prefix("polyhedron(")?.strip_suffix(");")) {
+        let [points, faces]: [Vec<Point>; 2] = serde_json::from_str(&format!("[{line}]")).unwrap();
+        let mut edges = HashMap::new();
+        let mut volume = 0.0;
+        for face in &faces {
+            let [a, b, c] = face.map(|corner| corner as usize);
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                *edges.entry([from.min(to), from.max(to)]).or_insert(0) += if from < to { 1 } else { -1 };
+            }
+            let [p, q, r] = [a, b, c].map(|corner| points[corner]);
+            let cross = [0, 1, 2].map(|i| q[(i + 1) % 3] * r[(i + 2) % 3] - q[(i + 2) % 3] * r[(i + 1) % 3]);
+            volume -= (0..3).map(|i| p[i] * cross[i]).sum::<f64>() / 6.0;
+        }
+        // Faces are clockwise as seen from outside.
+        assert!(edges.values().all(|&sum| sum == 0) && volume > 0.0 && points.len() > 3, "{line}");
+        count += 1;
+    }
+    let drawing = drawing(&tree(), 4);
+    // A body for each stroke, two for each leaf of four vertices, and the foot.
+    let leaves = drawing.polygon_count();
+    assert!(count > drawing.segment_count() && count <= drawing.segment_count() + 2 * leaves + 1, "{count}");
 }
 
 /// A file: its JSON, and its binary chunk.
@@ -341,7 +451,7 @@ fn fine_parts_become_one_tube_each() {
 #[test]
 fn a_drawing_of_any_depth_has_a_simple_mesh() {
     let definition = tree();
-    for format in ["glb", "stl", "obj"] {
+    for format in ["glb", "stl", "obj", "scad"] {
         let options = FileOptions { finest: 0.1, most: 50_000, ..FileOptions::default() };
         let file = written(format, drawing(&definition, 40), &options).unwrap();
         assert!(file.len() > 10_000, "{format}: {}", file.len());

@@ -124,8 +124,10 @@ export type FileFormat =
     | 'obj'
     /** glTF: Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines */
     | 'glb'
-    /** STL: Mesh of closed tubes and slabs for printers, 100 mm long */
+    /** STL: Closed tubes and slabs for printers, in millimetres, on a foot */
     | 'stl'
+    /** OpenSCAD: Union of convex bodies for OpenSCAD, in millimetres, to cut and to join with other solids */
+    | 'scad'
     ;
 
 /** Formats that are no texts. */
@@ -165,8 +167,14 @@ export interface FileOptions {
     lift?: number;
     /** Fill the sheet, instead of ending the page at the edge of the drawing: true or false. For pdf. */
     'whole-sheet'?: boolean;
-    /** Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all: a number from 0 to 20. For obj, glb, stl. */
+    /** Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all: a number from 0 to 20. For obj, glb, stl, scad. */
     finest?: number;
+    /** Height of a mesh: mm in STL and OpenSCAD, metres in glTF, units in OBJ; 0 for a longest side of 100 mm, and for steps of 1 m: a number from 0 to 10000. For obj, glb, stl, scad. */
+    height?: number;
+    /** Least thickness of tubes and leaves of a print: a number from 0 to 20. For stl, scad. */
+    thinnest?: number;
+    /** Distance by which a foot under a print reaches beyond what stands on it; 0 for none: a number from 0 to 100. For stl, scad. */
+    foot?: number;
     /** Pitch of a note, by the height of the line's end or by the letter that draws the line: one of `height`, `letter`. For midi. */
     pitch?: 'height' | 'letter';
     /** Time of a note: line after line in drawing order, or by length with branches together: one of `step`, `length`. For midi. */

@@ -8,7 +8,7 @@
 //! - `outside plots ROOT FOLDER LSYS` prints plots of `lsys` beside those of vpype.
 //!
 //! `lsys` makes files of a few systems ([`made`]). The checks ask programs for figures of these files and compare them
-//! ([`plane`], [`paper`], [`space`], [`film`], [`data`]). The Python package is
+//! ([`plane`], [`paper`], [`space`], [`prints`], [`film`], [`data`]). The Python package is
 //! tested beside them ([`python`]). Node.js and Python libraries are installed
 //! ([`programs`]); a program of the system that is missing is named as not checked.
 
@@ -19,6 +19,7 @@ mod made;
 mod paper;
 mod plane;
 mod plots;
+mod prints;
 mod programs;
 mod python;
 mod real;
@@ -83,6 +84,9 @@ fn check(options: &Options) -> Result<()> {
         plane::ask(&made, &mut asked)?;
         paper::ask(&made, &mut asked)?;
         space::ask(&made, &mut asked)?;
+        if let What::Wheel = options.what {
+            prints::ask(&made, &mut asked)?;
+        }
         film::ask(&made, &mut asked)?;
         data::ask(&made, &mut asked)?;
         if matches!(options.what, What::Wheel) {

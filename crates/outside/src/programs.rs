@@ -10,12 +10,14 @@ use std::process::{Command, Stdio};
 
 /// Programs of the system, the outputs that they open, and their packages in Debian. They are used where they are
 /// installed.
-const OPTIONAL: [(&str, &str, &str); 6] = [
+const OPTIONAL: [(&str, &str, &str); 8] = [
     ("ffprobe", "frames of films", "ffmpeg"),
     ("pdftoppm", "ink of PDF and of TikZ pictures", "poppler-utils"),
     ("pdflatex", "TikZ pictures and systems in LaTeX", "texlive-latex-recommended texlive-pictures"),
     ("bibtex", "BibTeX entries", "texlive-binaries"),
     ("pandoc", "fences in books of Quarto", "pandoc"),
+    ("prusa-slicer", "layers of prints", "prusa-slicer"),
+    ("openscad", "unions of prints in pieces", "openscad"),
     ("kpsewhich", "whether LaTeX has TikZ", "texlive-binaries"),
 ];
 

@@ -2,8 +2,9 @@
 
 use super::drawing::{drawn, seen};
 use crate::{Gauge, Source, make};
+use lsystem::base::Meter;
 use lsystem::drawing::Plane;
-use lsystem::files::{SvgForm, write_stl};
+use lsystem::files::{FileOptions, Print, SvgForm, write_stl};
 use lsystem::{
     Definition, Diagnostic, Drawing, Mesh, Solid, Style, SvgOptions, read_file, write_csv, write_glb, write_json,
     write_obj, write_svg,
@@ -44,18 +45,20 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
 
 /// Makes a mesh for a printer, and its file: every edge joins two triangles that run along it in opposite directions.
 fn printed(drawing: &Drawing<Solid>, style: &Style, gauge: &mut Gauge) {
-    let Ok(mesh) = gauge.call("mesh for printing", || Mesh::for_printing(drawing, style, MAX)) else { return };
+    let options = FileOptions { most: MAX, ..FileOptions::default() };
+    let print = || Print::new(drawing, style, &options, false, &mut Meter::new(u64::MAX));
+    let Ok(print) = gauge.call("print", print) else { return };
     let mut edges: HashMap<[u32; 2], [u32; 2]> = HashMap::new();
-    for &[a, b, c] in &mesh.triangles {
+    for &[a, b, c] in &print.triangles {
         for [from, to] in [[a, b], [b, c], [c, a]] {
             edges.entry([from.min(to), from.max(to)]).or_default()[usize::from(from > to)] += 1;
         }
     }
     let open = edges.iter().find(|(_, count)| **count != [1, 1]);
     assert!(open.is_none(), "an edge of a printed mesh: {open:?}");
-    assert!(mesh.positions.iter().flatten().all(|c| c.is_finite()), "a corner that is not finite");
-    let count = mesh.triangles.len();
-    let file = gauge.file("stl", usize::MAX, |sink| write_stl(mesh, sink)).map(|(file, ())| file);
+    assert!(print.corners.iter().flatten().all(|c| c.is_finite()), "a corner that is not finite");
+    let count = print.triangles.len();
+    let file = gauge.file("stl", usize::MAX, |sink| write_stl(print, sink)).map(|(file, ())| file);
     // A head of 80 bytes, the number of triangles, and 50 bytes for each.
     assert_eq!(file.map(|file| file.len()), Ok(84 + 50 * count), "the length of an STL file");
     gauge.reach("stl");

@@ -12,6 +12,8 @@ use std::collections::{HashMap, HashSet};
 const SHARPEST: f64 = -0.1;
 /// The height of a tube's end, in radii.
 pub(super) const ROUND: f64 = 0.6;
+/// Shorter strokes of prints, and smaller details of polygons, are left out: a part of the whole. Places are `f32`.
+const FINE: f64 = 1e-6;
 
 /// Tubes in the making.
 #[derive(Clone, Debug)]
@@ -19,6 +21,9 @@ pub(super) struct Tubes {
     /// The meshes by material. Without materials there is one.
     pub(super) meshes: Vec<(Material, Mesh)>,
     form: MeshForm,
+    /// Whether the mesh is for a printer, and whether each stroke is a body then.
+    is_printed: bool,
+    in_pieces: bool,
     /// The indices of the meshes by material.
     known: HashMap<Material, usize>,
     /// The index of the mesh that grows.
@@ -28,6 +33,12 @@ pub(super) struct Tubes {
     sides: u32,
     /// The least radius of a tube.
     least: f64,
+    /// Half the thickness of a slab.
+    half: f64,
+    /// The length under which strokes of prints are left out.
+    shortest: f64,
+    /// As [`MeshParts::thin`](super::MeshParts::thin).
+    pub(super) thin: (u64, f64),
     /// The ends and radii of all strokes, where a stroke is drawn once.
     drawn: Option<HashSet<StrokeKey>>,
     /// The stroke whose far end is still open.
@@ -43,6 +54,7 @@ struct OpenTube {
     to: Vector,
     /// The stroke's direction.
     along: Vector,
+    length: f64,
     /// The direction of a ring's first corner, at right angles to `along`.
     across: Vector,
     /// The radius at the far end.
@@ -53,10 +65,27 @@ struct OpenTube {
 }
 
 impl Tubes {
-    pub(super) fn new(form: MeshForm, sides: u32, least: f64) -> Self {
-        let drawn = (form == MeshForm::Printed).then(HashSet::new);
-        let (meshes, known) = (vec![], HashMap::new());
-        Self { meshes, form, known, current: 0, size: 0, sides, least, drawn, last: None }
+    /// `least` is the least radius in parts of `extent`, the drawing's longest side.
+    pub(super) fn new(form: MeshForm, sides: u32, least: f64, extent: f64) -> Self {
+        let (is_printed, in_pieces) = (matches!(form, MeshForm::Printed { .. }), form == MeshForm::PIECES);
+        // The sides of a tube are nearer to its axis than its corners.
+        let flat = if is_printed { libm::cos(core::f64::consts::PI / f64::from(sides)) } else { 1.0 };
+        Self {
+            meshes: vec![],
+            form,
+            is_printed,
+            in_pieces,
+            known: HashMap::new(),
+            current: 0,
+            size: 0,
+            sides,
+            least: least * extent / flat,
+            half: least * extent,
+            shortest: if is_printed { FINE * extent } else { 0.0 },
+            thin: (0, f64::INFINITY),
+            drawn: is_printed.then(HashSet::new),
+            last: None,
+        }
     }
 
     /// The bytes of the meshes and of what is remembered for them. A hash set leaves an eighth of its places free.
@@ -80,7 +109,7 @@ impl Tubes {
             }
             Mark::Polygon(vertices, tint) => {
                 self.choose(style.colour_of(*tint).rgb, true);
-                self.reserve_corners(2 * vertices.len());
+                self.reserve_corners(if self.in_pieces { 6 } else { 2 } * vertices.len());
             }
         }
     }
@@ -103,7 +132,7 @@ impl Tubes {
     /// Lets the mesh with this material grow.
     fn choose(&mut self, colour: [u8; 3], is_leaf: bool) {
         let material = match self.form {
-            MeshForm::Coloured | MeshForm::Printed => Material::default(),
+            MeshForm::Coloured | MeshForm::Printed { .. } => Material::default(),
             MeshForm::Apart { by_colour } => Material { rgb: by_colour.then_some(colour), is_leaf },
         };
         if self.meshes.get(self.current).is_some_and(|(current, _)| *current == material) {
@@ -135,41 +164,62 @@ impl Tubes {
 
     /// Adds a polygon: one side, two sides or a slab, as the form has it.
     pub(super) fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
+        // The corners of a body follow each other.
+        if self.is_printed {
+            self.close();
+        }
         self.choose(colour, true);
-        let is_printed = self.form == MeshForm::Printed;
-        let outline = if is_printed { without_repeats(vertices) } else { vertices.to_vec() };
-        let Triangles { facing: Some(normal), corners: triangles, .. } = triangulate(&outline) else { return };
-        let half = if is_printed { self.least } else { 0.0 };
-        let back = normal.map(|c| -c);
-        let sides = [(normal, [0, 1, 2]), (back, [0, 2, 1])];
-        let sides = if let MeshForm::Apart { .. } = self.form { &sides[..1] } else { &sides[..] };
+        let (outline, size) = simple_outline(vertices);
+        let Triangles { facing: Some(normal), corners: mut triangles, .. } = triangulate(&outline) else { return };
+        if self.in_pieces {
+            for triangle in triangles {
+                self.slab(&triangle.map(|vertex| outline[vertex]), normal, &[[0, 1, 2]], colour);
+            }
+        } else if self.is_printed {
+            self.slab(&outline, normal, &triangles, colour);
+        } else {
+            triangles.retain(|triangle| {
+                let [a, b, c] = triangle.map(|vertex| outline[vertex]);
+                norm(cross(minus(b, a), minus(c, a))) > FINE * FINE * size * size
+            });
+            self.sheet(&outline, normal, &triangles, colour);
+            if self.form == MeshForm::Coloured {
+                triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+                self.sheet(&outline, normal.map(|c| -c), &triangles, colour);
+            }
+        }
+    }
+
+    /// Adds triangles of these corners.
+    fn sheet(&mut self, corners: &[Vector], normal: Vector, triangles: &[[usize; 3]], colour: [u8; 3]) {
         let first = self.mesh().positions.len() as u32;
-        for &(normal, order) in sides {
-            let first = self.mesh().positions.len() as u32;
-            for &vertex in &outline {
-                self.corner([0, 1, 2].map(|i| vertex[i] + half * normal[i]), normal, colour);
-            }
-            let face = |triangle: &[usize; 3]| order.map(|corner| first + triangle[corner] as u32);
-            self.mesh().triangles.extend(triangles.iter().map(face));
-        }
-        if is_printed {
-            // The rim has the corners of both sides, so that every edge joins two triangles.
-            let count = outline.len() as u32;
-            for at in 0..count {
-                let [a, b] = [at, (at + 1) % count].map(|at| first + at);
-                self.mesh().triangles.extend([[b, a, a + count], [b, a + count, b + count]]);
-            }
-        }
+        corners.iter().for_each(|&at| self.corner(at, normal, colour));
+        self.mesh().triangles.extend(triangles.iter().map(|triangle| triangle.map(|corner| first + corner as u32)));
+    }
+
+    /// Adds a polygon with a thickness. The rim has the corners of both sides, so that every edge joins two triangles.
+    fn slab(&mut self, outline: &[Vector], normal: Vector, triangles: &[[usize; 3]], colour: [u8; 3]) {
+        let count = outline.len();
+        let at = |side: f64| outline.iter().map(move |vertex| [0, 1, 2].map(|i| vertex[i] + side * normal[i]));
+        let corners: Vec<Vector> = at(self.half).chain(at(-self.half)).collect();
+        let rim = (0..count).map(|at| [at, (at + 1) % count]);
+        let rim = rim.flat_map(|[a, b]| [[b, a, a + count], [b, a + count, b + count]]);
+        let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [a + count, c + count, b + count]]);
+        self.sheet(&corners, normal, &rim.chain(sides).collect::<Vec<_>>(), colour);
     }
 
     /// Adds a stroke.
     pub(super) fn add(&mut self, segment: &Segment<Solid>, colour: [u8; 3]) {
         let way = minus(segment.to, segment.from);
         let length = norm(way);
-        if !(length > 0.0 && length.is_finite()) {
+        if !(length > self.shortest && length.is_finite()) {
             return;
         }
         let along = way.map(|c| c / length);
+        let thinnest = segment.width.min(segment.end_width);
+        if thinnest < self.least_width() {
+            self.thin = (self.thin.0 + 1, self.thin.1.min(thinnest));
+        }
         // Clamped to the range of `f32`, as coordinates are.
         let radii =
             [segment.width, segment.end_width].map(|width| (0.5 * width).max(self.least).min(f64::from(f32::MAX)));
@@ -178,7 +228,15 @@ impl Tubes {
             return self.close();
         }
         let gap = |last: &OpenTube| norm(minus(segment.from, last.to));
-        let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
+        // A ring of a print stays within the halves of its strokes: no tube is turned inside out.
+        let fits = |last: &OpenTube, turn: f64| {
+            let reach = radius.max(last.radius) * ((1.0 - turn) / (1.0 + turn)).max(0.0).sqrt();
+            !self.is_printed || 2.0 * reach <= length.min(last.length)
+        };
+        let joined = self.last.filter(|last| {
+            let turn = dot(last.along, along);
+            gap(last) <= 1e-9 * length && turn > SHARPEST && fits(last, turn)
+        });
         let (across, ring) = match joined {
             Some(last) => self.join(&last, along, radius, colour),
             None => {
@@ -190,7 +248,7 @@ impl Tubes {
                 (across, ring)
             }
         };
-        self.last = Some(OpenTube { to: segment.to, along, across, radius: radii[1], colour, ring });
+        self.last = Some(OpenTube { to: segment.to, along, length, across, radius: radii[1], colour, ring });
     }
 
     /// Ends a stroke at the start of the next one, which goes along `along`. Returns the next stroke's `across` and
@@ -204,8 +262,9 @@ impl Tubes {
         let on_plane = slide(last.across, last.along, half);
         let across = slide(on_plane, along, along);
         let across = unit(across);
-        // A print has no colours, and its rings are not repeated.
-        if colour == last.colour || self.form == MeshForm::Printed {
+        // A print has no colours, and its rings are repeated between bodies only.
+        let is_shared = if self.is_printed { !self.in_pieces } else { colour == last.colour };
+        if is_shared {
             return (across, ring);
         }
         // The same places to the last bit, so that programs that join corners by their places find no gap.
@@ -214,6 +273,13 @@ impl Tubes {
         self.choose(colour, false);
         let own = self.ring(last.to, along, across, half, radius, colour);
         self.mesh().positions[own as usize..].copy_from_slice(&places);
+        if self.in_pieces {
+            let caps = (2..self.sides)
+                .flat_map(|side| [[ring, ring + side - 1, ring + side], [own, own + side, own + side - 1]]);
+            // The first body's triangles come first.
+            let (ends, starts): (Vec<_>, Vec<_>) = caps.partition(|cap| cap[0] == ring);
+            self.mesh().triangles.extend(ends.into_iter().chain(starts));
+        }
         (across, own)
     }
 
@@ -244,8 +310,9 @@ impl Tubes {
 
     fn corner(&mut self, at: Vector, normal: Vector, colour: [u8; 3]) {
         let mesh = self.mesh();
-        mesh.positions.push(at.map(|c| c.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32));
-        mesh.normals.push(normal.map(|c| c as f32));
+        // Zero has one sign, so that programs find equal corners.
+        mesh.positions.push(at.map(|c| c.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32 + 0.0));
+        mesh.normals.push(normal.map(|c| c as f32 + 0.0));
         mesh.colours.push(colour);
     }
 
@@ -270,20 +337,37 @@ impl Tubes {
     }
 }
 
-/// An outline without vertices at the place of the one before.
-fn without_repeats(vertices: &[Vector]) -> Vec<Vector> {
+/// An outline without vertices that enclose nothing: at the place of the one before, or on a line with their neighbours.
+/// Returns the size of the outline too.
+fn simple_outline(vertices: &[Vector]) -> (Vec<Vector>, f64) {
     let size = vertices.iter().map(|&vertex| norm(minus(vertex, vertices[0]))).fold(0.0, f64::max);
-    let is_same = |a: &Vector, b: &Vector| norm(minus(*a, *b)) <= 1e-9 * size;
+    let is_flat = |a: Vector, b: Vector, c: Vector| {
+        let (to, on) = (minus(b, a), minus(c, b));
+        norm(cross(to, on)) <= FINE * size * norm(to).max(norm(on))
+    };
     let mut outline: Vec<Vector> = Vec::with_capacity(vertices.len());
-    for vertex in vertices {
-        if outline.last().is_none_or(|last| !is_same(last, vertex)) {
-            outline.push(*vertex);
+    for &vertex in vertices {
+        while let &[.., a, b] = &outline[..]
+            && is_flat(a, b, vertex)
+        {
+            outline.pop();
+        }
+        if outline.last().is_none_or(|&last| norm(minus(vertex, last)) > FINE * size) {
+            outline.push(vertex);
         }
     }
-    if outline.len() > 1 && is_same(&outline[0], &outline[outline.len() - 1]) {
-        outline.pop();
+    // The same where the outline closes.
+    let mut first = 0;
+    while let &[a, b, .., y, z] = &outline[first..] {
+        if is_flat(y, z, a) {
+            outline.pop();
+        } else if is_flat(z, a, b) {
+            first += 1;
+        } else {
+            break;
+        }
     }
-    outline
+    (outline.split_off(first), size)
 }
 
 /// A vector moved along `along` onto the plane through the origin across `plane`.

@@ -78,6 +78,7 @@ fn scene(drawing: &Drawing<Solid>, style: &Style, options: &FileOptions, work: &
         maker.add(mesh)?;
     }
     maker.drop_empty();
+    maker.scene.set_height(options.height, work)?;
     Ok(maker.scene)
 }
 

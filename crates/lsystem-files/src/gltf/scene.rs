@@ -2,6 +2,7 @@
 
 use crate::Sink;
 use crate::number::write_exact;
+use crate::obj::scale_to;
 use core::fmt::Write;
 use core::ops::Range;
 use lsystem_drawing::{Material, Mesh};
@@ -26,6 +27,8 @@ const SHORT: usize = 0xffff;
 pub(super) struct Scene {
     /// The name of the node that holds all others.
     pub(super) name: String,
+    /// The scale of that node.
+    pub(super) scale: f64,
     /// The meshes, which parts may share.
     pub(super) meshes: Vec<Mesh>,
     /// Whether corners have colours of their own.
@@ -101,6 +104,25 @@ impl List {
 }
 
 impl Scene {
+    /// Gives the scene a height, unless this is 0.
+    pub(super) fn set_height(&mut self, wanted: f64, work: &mut dyn Work) -> Result<(), Halt> {
+        let mut ends = vec![];
+        for Node { part, at, rotation: [x, y, z, w] } in self.nodes.iter().filter(|_| wanted > 0.0) {
+            // The second row of the rotation's matrix.
+            let row = [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)];
+            for (_, mesh) in &self.parts[*part] {
+                let positions = &self.meshes[*mesh].positions;
+                work.charge(positions.len() as u64)?;
+                let heights = positions.iter().map(|corner| (0..3).map(|i| row[i] * f64::from(corner[i])).sum::<f64>());
+                let (low, high) =
+                    heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+                ends.extend([at[1] + low, at[1] + high]);
+            }
+        }
+        self.scale = scale_to(wanted, ends.into_iter());
+        Ok(())
+    }
+
     /// The bytes of a list.
     fn bytes_of(&self, list: List) -> usize {
         self.meshes.iter().map(|mesh| list.entries(mesh, self.has_colours)).sum::<usize>() * list.size()
@@ -164,7 +186,13 @@ impl Scene {
         write_list(json, 1..=self.nodes.len(), |json, node| {
             let _ = write!(json, "{node}");
         });
-        json.push_str("]}");
+        json.push(']');
+        if self.scale != 1.0 {
+            json.push_str(",\"scale\":[");
+            write_list(json, [self.scale; 3], write_float);
+            json.push(']');
+        }
+        json.push('}');
         for Node { part, at, rotation } in &self.nodes {
             let _ = write!(json, ",{{\"mesh\":{part}");
             if at.iter().any(|&c| c != 0.0) {

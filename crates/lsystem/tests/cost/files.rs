@@ -139,7 +139,7 @@ fn polygons_of_many_vertices_are_counted() {
 
 #[test]
 fn no_part_of_a_mesh_takes_more_than_its_share_and_a_piece() {
-    let mut meshes = ["obj", "glb", "stl"].map(|format| (format, Largest::default()));
+    let mut meshes = ["obj", "glb", "stl", "scad"].map(|format| (format, Largest::default()));
     for (number, length) in [1, 100, 10_000].into_iter().enumerate() {
         for case in sampled(cases(length), 3, number) {
             let Some(drawing) = finished(Drawer::<Solid>::new(&case.system(), 3, LIMITS)) else { continue };
