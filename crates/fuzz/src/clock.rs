@@ -1,7 +1,5 @@
 //! Processor time, which does not depend on the load of the machine. Systems other than Unix use the time on the wall.
 
-use std::time::Duration;
-
 #[cfg(unix)]
 mod clocks {
     use rustix::time::{ClockId, clock_gettime};
@@ -12,11 +10,13 @@ mod clocks {
         Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec.unsigned_abs() as u32)
     }
 
-    pub(super) fn process() -> Duration {
+    /// The processor time of this process so far.
+    pub(crate) fn process_time() -> Duration {
         time(ClockId::ProcessCPUTime)
     }
 
-    pub(super) fn thread() -> Duration {
+    /// The processor time of this thread so far.
+    pub(crate) fn thread_time() -> Duration {
         time(ClockId::ThreadCPUTime)
     }
 }
@@ -29,26 +29,19 @@ mod clocks {
     /// The time of the first call.
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
 
-    pub(super) fn process() -> Duration {
+    pub(crate) fn process_time() -> Duration {
         START.elapsed()
     }
 
-    pub(super) use process as thread;
+    pub(crate) use process_time as thread_time;
 }
 
-/// The processor time of this process so far.
-pub(crate) fn process_time() -> Duration {
-    clocks::process()
-}
-
-/// The processor time of this thread so far.
-pub(crate) fn thread_time() -> Duration {
-    clocks::thread()
-}
+pub(crate) use clocks::{process_time, thread_time};
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::time::Duration;
 
     #[test]
     fn sleep_takes_no_processor_time() {

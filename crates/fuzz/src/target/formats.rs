@@ -54,8 +54,7 @@ pub(super) fn formats(source: &mut Source<'_>, gauge: &mut Gauge) {
 fn values(source: &mut Source<'_>, names: &[&str]) -> BTreeMap<String, OptionValue> {
     let mut values = BTreeMap::new();
     for option in FILE_OPTIONS.iter().filter(|option| names.contains(&option.name)) {
-        let is_chosen = option.name == "size" || source.once_in(2);
-        if !is_chosen {
+        if option.name != "size" && !source.once_in(2) {
             continue;
         }
         let text = |words: String| OptionValue::Text(words);

@@ -5,7 +5,8 @@ use crate::files;
 use crate::workspace::Workspace;
 use anyhow::Result;
 use fs_err as fs;
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 /// Folders of a crate that are not shipped with it.
 const LEFT_OUT: [&str; 4] = ["tests", "benches", "examples", "node_modules"];
@@ -50,17 +51,22 @@ pub(super) fn scripts(workspace: &Workspace) -> Result<Measured> {
 }
 
 pub(super) fn count(folder: &Path, ending: &str) -> Result<f64> {
-    let is_wanted = |path: &Path| {
-        let is_left_out = |name: &str| path.ends_with(name) || path.ends_with(format!("{name}.rs"));
-        !LEFT_OUT.into_iter().any(is_left_out)
-    };
-    let mut sum = 0;
-    for file in files::list(folder, is_wanted)? {
+    let mut texts = BTreeMap::new();
+    for file in files::list(folder, |path| !LEFT_OUT.iter().any(|name| path.ends_with(name)))? {
         if file.extension().is_some_and(|its| its == ending) {
-            sum += code(&fs::read_to_string(file)?);
+            texts.insert(file.clone(), fs::read_to_string(file)?);
         }
     }
-    Ok(sum as f64)
+    let tests: Vec<PathBuf> = texts.iter().flat_map(|(file, text)| of_tests(file, text)).collect();
+    Ok(texts.iter().filter(|(file, _)| !tests.contains(file)).map(|(_, text)| code(text)).sum::<usize>() as f64)
+}
+
+/// The files of modules that only tests have.
+fn of_tests<'a>(file: &'a Path, text: &'a str) -> impl Iterator<Item = PathBuf> + 'a {
+    let is_root = ["lib", "main", "mod"].iter().any(|stem| file.file_stem() == Some(stem.as_ref()));
+    let folder = if is_root { file.with_file_name("") } else { file.with_extension("") };
+    let declared = text.split("#[cfg(test)]\nmod ").skip(1).filter_map(|rest| rest.lines().next()?.strip_suffix(';'));
+    declared.map(move |name| folder.join(name).with_extension("rs"))
 }
 
 /// The lines of code of a file. What follows `#[cfg(test)]` and a module's brace is a test.
@@ -86,6 +92,9 @@ mod tests {
     fn counts_code_only() {
         let text = "//! Why.\n\nfn a() {\n    // no\n    b() // yes\n}\n#[cfg(test)]\nuse x;\n\n#[cfg(test)]\nmod tests {\n    c\n}\n";
         assert_eq!(code(text), 5);
+        let tests = |file| of_tests(Path::new(file), "mod a;\n#[cfg(test)]\nmod b;\n").collect::<Vec<_>>();
+        assert_eq!(tests("src/c.rs"), [Path::new("src/c/b.rs")]);
+        assert_eq!(tests("src/mod.rs"), [Path::new("src/b.rs")]);
         assert_eq!(code("/**\n * no\n */\nlet a; /* yes */\n/** @type {x} */\nlet b;\n"), 2);
     }
 }
