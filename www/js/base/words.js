@@ -41,8 +41,10 @@ async function catalogue(language) {
     const english = { language: 'en', words: {} };
     if (language === 'en') return english;
     try {
-        const file = document.documentElement?.dataset['catalogue'] ?? 'words';
-        return { language, words: await jsonOf(`lang/${language}/${file}.json`) };
+        // Some pages have words of their own besides.
+        const files = ['words', document.documentElement?.dataset['catalogue'] ?? []].flat();
+        const all = await Promise.all(files.map((file) => jsonOf(`lang/${language}/${file}.json`)));
+        return { language, words: Object.assign({}, ...all) };
     } catch {
         // A page without its words is still a page.
         return english;

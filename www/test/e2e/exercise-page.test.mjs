@@ -13,7 +13,7 @@ after(close);
 
 /** @type {{id: string, shelf: string, title: string, x: string}[]} */
 const EXERCISES = JSON.parse(await readFile(new URL('../../../dist/exercises.json', import.meta.url), 'utf8'));
-const GALLERY = EXERCISES.filter(({ shelf }) => shelf !== 'lesson');
+const GALLERY = EXERCISES.filter(({ shelf }) => !['lesson', 'program'].includes(shelf));
 /** @param {string} id */
 const linkOf = (id) => `exercise.html#v=1&x=${EXERCISES.find((exercise) => exercise.id === id)?.x ?? assert.fail(id)}`;
 
