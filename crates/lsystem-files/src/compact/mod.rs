@@ -21,7 +21,7 @@ use styled_drawing::StyledDrawing;
 const SMALL: [u32; 2] = [4, 64];
 
 /// The least and the greatest size in pixels under which a block becomes one stroke. Larger ones make fewer strokes.
-const DOT: [f64; 2] = [1.0, 4.0];
+const DOT: [f64; 2] = [1.0, 8.0];
 
 /// The most copies before larger blocks are written out.
 const MANY_COPIES: u128 = 100_000;

@@ -2,7 +2,7 @@
 
 use super::{find, is_system};
 use lsystem_base::MAX_FILE;
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 use std::borrow::Cow;
 
 /// The type of attached files, in the dictionary before their bytes.
@@ -41,8 +41,13 @@ pub(super) fn system_in(pdf: &[u8]) -> Option<String> {
         }
         if has("/FlateDecode") {
             let unpacked = decompress_to_vec_zlib_with_limit(&bytes, left.min(MAX_FILE + 1));
-            bytes = unpacked.unwrap_or_else(|error| error.output).into();
-            left = left.checked_sub(bytes.len())?;
+            left = left.checked_sub(unpacked.as_ref().map_or_else(|error| error.output.len(), Vec::len))?;
+            bytes = match unpacked {
+                Ok(unpacked) => unpacked.into(),
+                // Longer than anything that is read, which is told.
+                Err(error) if error.status == TINFLStatus::HasMoreOutput => error.output.into(),
+                Err(_) => continue,
+            };
         }
         let system = String::from_utf8_lossy(&bytes);
         if is_system(&system) {
@@ -118,7 +123,7 @@ mod tests {
         };
         let json = b"{\"initial\": \"F\", \"title\": \"a\\nendstream endobj >>stream\"}".as_slice();
         let length = format!("/Type /EmbeddedFile /Length {}", json.len());
-        let packed = miniz_oxide::deflate::compress_to_vec_zlib(json, 9);
+        let packed = miniz_oxide::deflate::compress_to_vec_zlib(b"{\"initial\": \"F\"}", 9);
         let catalogue = ("/Names <</EmbeddedFiles 9 0 R>>", None);
         let picture = ("/Length 9", Some(b"0 0 m 9 9 l S".as_slice()));
         let own = (length.as_str(), Some(json));

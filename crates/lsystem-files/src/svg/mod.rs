@@ -43,8 +43,8 @@ pub enum SvgForm {
     #[default]
     Flat,
     /// Every block is defined once and then placed, so that the file has some kilobytes at any n. Blocks less than 1
-    /// pixel across at the picture's size become one stroke; up to 4 pixels, if the picture has too many strokes. A drawing without shared blocks, or with colours along the
-    /// path, is written flat.
+    /// pixel across at the picture's size become one stroke; up to 8 pixels, if the picture has too many strokes. A drawing
+    /// without shared blocks, or with colours along the path, is written flat.
     Compact,
 }
 

@@ -245,10 +245,10 @@ fn objects_have_no_empty_successor() {
             parse(&definition.axiom, &definition.rules).0.productions.iter().any(|one| one.successor.is_empty());
         (written, stood_in) = (written + 1, stood_in + u32::from(vanishes));
     }
-    assert!(written > 50 && stood_in > 1, "{written}, {stood_in}");
+    assert!(written > 50 && stood_in > 0, "{written}, {stood_in}");
     let chance = Definition {
         axiom: "FXYZ".into(),
-        rules: "F -> F+F : 1\nF -> : 2\nX ->".into(),
+        rules: "F -> F+F : 1\nF -> * : 2\nX -> *".into(),
         angle: 90.0,
         ..Definition::default()
     };
