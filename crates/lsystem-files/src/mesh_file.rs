@@ -36,9 +36,9 @@ pub(crate) fn print<const IN_PIECES: bool>(
     let mut print = Print::new(&*simplified(drawing, options, sink)?, style, options, IN_PIECES, sink)?;
     let notes = Notes { remark: print.remark.take(), summary: Some(print.words()) };
     if IN_PIECES {
-        write_scad(&print, sink)?
+        write_scad(&print, sink)?;
     } else {
-        write_stl(print, sink)?
+        write_stl(print, sink)?;
     }
     Ok(notes)
 }
