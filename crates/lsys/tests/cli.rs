@@ -213,7 +213,7 @@ fn info_tells_what_is_known() {
           segments    4118
           bounds      x -70.10220768553427 to 70.10220768553427, y 0 to 248.93418014601684
           growth      symbols x 3.029303, segments x 3.096241 in the last step
-          print       4,118 strokes would be thinner than 0.8 mm and are made thicker. From a height of 218 mm on, none would be.
+          print       4,118 strokes would be thinner than 0.8 mm and are made thicker. From a height of 222 mm on, none would be.
     "#]]
     .assert_eq(&good("info data_in/abop/1.24d.json"));
     expect![[r#"
@@ -253,7 +253,7 @@ fn info_tells_what_is_known() {
           segments    481
           bounds      x -10.841477114688587 to 4.164995452362973, y 0 to 53
           growth      symbols x 3.741433, segments x 3.728682 in the last step
-          print       481 strokes would be thinner than 0.8 mm and are made thicker. From a height of 152 mm on, none would be.
+          print       481 strokes would be thinner than 0.8 mm and are made thicker. From a height of 142 mm on, none would be.
     "#]]
     .assert_eq(&good("info data_in/abop/1.27.json --seed 5"));
     let nothing = lsys(&["info", "data_in/focs-lsystems/readme-s-to-ss.json", "-n", "0"]);

@@ -239,13 +239,13 @@ pub static FORMATS: [Format; 18] = [
         .reads(&["finest", "height"]),
     format("stl", "stl", "model/stl", "STL")
         .help("Closed tubes and slabs for printers, in millimetres, on a foot")
-        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::stl))
+        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::print::<false>))
         .binary()
         .made_in_memory()
         .reads(&["finest", "height", "thinnest", "foot"]),
     format("scad", "scad", "application/x-openscad", "OpenSCAD")
         .help("Union of convex bodies for OpenSCAD, in millimetres, to cut and to join with other solids")
-        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::scad))
+        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::print::<true>))
         .made_in_memory()
         .reads(&["finest", "height", "thinnest", "foot"]),
 ];

@@ -26,27 +26,20 @@ pub(crate) fn obj(
     Ok(Notes::default())
 }
 
-/// Writes STL.
-pub(crate) fn stl(
+/// Writes STL, or with bodies in pieces a program for OpenSCAD. The drawing is dropped first, to save memory.
+pub(crate) fn print<const IN_PIECES: bool>(
     drawing: Arc<Drawing<Solid>>,
     style: &Style,
     options: &FileOptions,
     sink: &mut Sink<'_>,
 ) -> Result<Notes, Halt> {
-    let (print, notes) = print(drawing, style, options, false, sink)?;
-    write_stl(print, sink)?;
-    Ok(notes)
-}
-
-/// Writes a program for OpenSCAD.
-pub(crate) fn scad(
-    drawing: Arc<Drawing<Solid>>,
-    style: &Style,
-    options: &FileOptions,
-    sink: &mut Sink<'_>,
-) -> Result<Notes, Halt> {
-    let (print, notes) = print(drawing, style, options, true, sink)?;
-    write_scad(&print, sink)?;
+    let mut print = Print::new(&*simplified(drawing, options, sink)?, style, options, IN_PIECES, sink)?;
+    let notes = Notes { remark: print.remark.take(), summary: Some(print.words()) };
+    if IN_PIECES {
+        write_scad(&print, sink)?;
+    } else {
+        write_stl(print, sink)?;
+    }
     Ok(notes)
 }
 
@@ -59,19 +52,6 @@ pub(crate) fn glb(
 ) -> Result<Notes, Halt> {
     glb_file(simplified(drawing, options, sink)?, style, options, sink)?;
     Ok(Notes::default())
-}
-
-/// The print of a drawing, and what is to be told about it. The drawing is dropped, to save memory.
-fn print(
-    drawing: Arc<Drawing<Solid>>,
-    style: &Style,
-    options: &FileOptions,
-    in_pieces: bool,
-    sink: &mut Sink<'_>,
-) -> Result<(Print, Notes), Halt> {
-    let mut print = Print::new(&*simplified(drawing, options, sink)?, style, options, in_pieces, sink)?;
-    let notes = Notes { remark: print.remark.take(), summary: Some(print.words()) };
-    Ok((print, notes))
 }
 
 /// The drawing in which fine parts are one stroke each.

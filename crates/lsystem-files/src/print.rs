@@ -2,12 +2,10 @@
 //! foot carries them, and no layer between the ground and the top is empty.
 
 use crate::FileOptions;
-use core::ops::Range;
 use lsystem_base::words::{grouped, shown};
 use lsystem_base::{counted, say};
 use lsystem_drawing::{Drawing, Figure, Mesh, MeshForm, MeshOptions, MeshParts, Solid, Space};
 use lsystem_syntax::{Diagnostic, Halt, Style, Work};
-use std::collections::HashMap;
 
 /// The longest side, if no height is asked for.
 const LONGEST: f64 = 100.0;
@@ -18,8 +16,6 @@ pub(crate) const FOOT: f64 = 5.0;
 /// The height of the foot, and the width of its slanted rim.
 const FOOT_HEIGHT: f64 = 1.0;
 const RIM: f64 = 0.5;
-/// The part above the lowest axis that is cut off: the ring at an upright tube's end is clearly below the cut.
-const CUT: f64 = 0.01;
 /// The height at which the section is told: the middle of a first layer.
 const FIRST_LAYER: f32 = 0.1;
 /// The least gap between bodies, upwards, that gets a post; its width, and its depth in the bodies.
@@ -33,7 +29,7 @@ const WORK: u64 = 2;
 
 type Corner = [f32; 3];
 
-/// Closed bodies in millimetres, z up, on z = 0.
+/// Closed bodies in millimetres, z up, on z = 0. Bodies in pieces may reach below, which their file cuts off.
 #[derive(Clone, Debug, Default)]
 pub struct Print {
     /// The corners: x, y, z. Some belong to no triangle.
@@ -78,8 +74,8 @@ impl Print {
         let ((count, width), ground) = (parts.thin, parts.ground);
         let Mesh { positions: corners, triangles, .. } = parts.into_first();
         let mut print = Self { corners, triangles, ..Self::default() };
-        let scale = print.stand(ground, height);
-        print.cut(work)?;
+        let scale = print.stand(ground, height, in_pieces);
+        print.find_bodies(work)?;
         print.join(work)?;
         print.carry(foot, work)?;
         if count > 0 && thinnest > 0.0 {
@@ -103,99 +99,48 @@ impl Print {
     /// The print in words.
     #[must_use]
     pub fn words(&self) -> String {
-        let [x, y, z] = self.bounds().map(|[least, most]| shown(&format!("{:.1}", (most - least).max(0.0))));
+        let [x, y, z] = [0, 1, 2].map(|axis| {
+            let [least, most] = self.bounds()[axis];
+            let least = if axis == 2 { 0.0 } else { least };
+            shown(&format!("{:.1}", (most - least).max(0.0)))
+        });
         let area = shown(&format!("{:.1}", self.section));
         say!("print of {} x {} x {} mm, stands on {} mm² (section at 0.1 mm)", x, y, z, area)
     }
 
-    /// Turns y up to z up, and gives the bodies their size: the height, or the longest side. Returns the scale.
-    fn stand(&mut self, ground: f64, height: Option<f64>) -> f64 {
+    /// Turns y up to z up, and gives the bodies their size: the height, or the longest side. What lies below the ground is
+    /// pressed flat, but not of bodies in pieces. Returns the scale.
+    fn stand(&mut self, ground: f64, height: Option<f64>, in_pieces: bool) -> f64 {
         let bound = |axis: usize, start: f32, pick: fn(f32, f32) -> f32| {
             f64::from(self.corners.iter().map(|corner| corner[axis]).fold(start, pick))
         };
         let high = [0, 1, 2].map(|axis| bound(axis, f32::NEG_INFINITY, f32::max));
         let low = [bound(0, f32::INFINITY, f32::min), ground, bound(2, f32::INFINITY, f32::min)];
-        let scale = |axis: usize, side: f64| (side + if axis == 1 { CUT } else { 0.0 }) / (high[axis] - low[axis]);
+        let scale = |axis: usize, side: f64| side / (high[axis] - low[axis]);
         let scale = match height {
             Some(height) => scale(1, height),
             None => [0, 1, 2].map(|axis| scale(axis, LONGEST)).into_iter().fold(f64::INFINITY, f64::min),
         };
+        let least = if in_pieces { f64::NEG_INFINITY } else { 0.0 };
         for corner in &mut self.corners {
             let [x, y, z] = corner.map(f64::from);
-            let placed = [(x - low[0]) * scale, (high[2] - z) * scale, (y - low[1]) * scale - CUT];
+            let placed = [(x - low[0]) * scale, (high[2] - z) * scale, ((y - low[1]) * scale).max(least)];
             *corner = placed.map(|c| c as f32);
         }
         scale
     }
 
-    /// Finds the bodies, and cuts off what lies below the ground.
-    fn cut(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
-        let mut starts: Vec<usize> = vec![];
-        let mut greatest = None;
+    /// Finds the bodies: they have no corner in common, and their corners follow each other.
+    fn find_bodies(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+        let mut next = 0;
         for (at, triangle) in self.triangles.iter().enumerate() {
             work.charge(WORK)?;
-            // Bodies have no corner in common, and their corners follow each other.
-            if triangle.iter().all(|&corner| greatest.is_none_or(|greatest| corner > greatest)) {
-                starts.push(at);
+            if triangle.iter().all(|&corner| corner >= next) {
+                self.bodies.push(at as u32);
             }
-            greatest = greatest.max(triangle.iter().copied().max());
+            next = triangle.iter().fold(next, |next, &corner| next.max(corner + 1));
         }
-        starts.push(self.triangles.len());
-        let (mut end, mut cut, mut cut_bodies) = (0, vec![], vec![]);
-        for pair in starts.windows(2) {
-            let body = pair[0]..pair[1];
-            let mut is_above = true;
-            for triangle in &self.triangles[body.clone()] {
-                work.charge(WORK)?;
-                is_above &= triangle.iter().all(|&corner| self.corners[corner as usize][2] > 0.0);
-            }
-            if is_above {
-                self.bodies.push(end as u32);
-                self.triangles.copy_within(body.clone(), end);
-                end += body.len();
-            } else {
-                let start = cut.len();
-                self.cut_body(body, &mut cut);
-                if cut.len() > start {
-                    cut_bodies.push(start);
-                }
-            }
-        }
-        self.triangles.truncate(end);
-        self.triangles.extend(cut);
-        self.bodies.extend(cut_bodies.into_iter().map(|start| (end + start) as u32));
         Ok(())
-    }
-
-    /// Adds the triangles of a body above the ground to `cut`. The section is closed by triangles around its middle.
-    fn cut_body(&mut self, body: Range<usize>, cut: &mut Vec<[u32; 3]>) {
-        let (mut known, mut rim) = (HashMap::new(), vec![]);
-        for at in body {
-            let triangle = self.triangles[at];
-            let Some((is_above, [a, b, c])) = self.odd_first(triangle, 0.0) else {
-                if self.corners[triangle[0] as usize][2] > 0.0 {
-                    cut.push(triangle);
-                }
-                continue;
-            };
-            let [ab, ca] = [[a, b], [c, a]].map(|[from, to]| {
-                *known.entry([from.min(to), from.max(to)]).or_insert_with_key(|&[from, to]| {
-                    self.corners.push(self.crossing(from, to, 0.0));
-                    self.corners.len() as u32 - 1
-                })
-            });
-            if is_above {
-                cut.push([a, ab, ca]);
-                rim.push([ca, ab]);
-            } else {
-                cut.extend([[ab, b, c], [ab, c, ca]]);
-                rim.push([ab, ca]);
-            }
-        }
-        let middle = self.corners.len() as u32;
-        let sum = |axis: usize| rim.iter().map(|&[from, _]| self.corners[from as usize][axis]).sum::<f32>();
-        self.corners.push([sum(0), sum(1), 0.0].map(|sum| sum / rim.len().max(1) as f32));
-        cut.extend(rim.into_iter().map(|[from, to]| [from, to, middle]));
     }
 
     /// A triangle that crosses a height, beginning with the corner that is alone on its side, and whether that side is

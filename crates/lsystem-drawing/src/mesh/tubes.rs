@@ -217,7 +217,7 @@ impl Tubes {
         }
         let along = way.map(|c| c / length);
         let thinnest = segment.width.min(segment.end_width);
-        if thinnest < self.least_width() {
+        if thinnest < 2.0 * self.half {
             self.thin = (self.thin.0 + 1, self.thin.1.min(thinnest));
         }
         // Clamped to the range of `f32`, as coordinates are.
