@@ -18,6 +18,7 @@ pub mod fixed;
 mod limits;
 mod meter;
 mod mixer;
+mod named;
 pub mod number;
 mod progress;
 pub mod sorted;

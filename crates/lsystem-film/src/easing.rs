@@ -1,5 +1,7 @@
 //! The pace between two keys.
 
+use lsystem_base::named;
+
 /// The pace from one key to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Easing {
@@ -16,25 +18,9 @@ pub enum Easing {
     Hold,
 }
 
+named!(Easing: Linear "linear", Smooth "smooth", In "in", Out "out", Hold "hold");
+
 impl Easing {
-    /// All values, in the order of the page's list.
-    pub const ALL: [Self; 5] = [Self::Linear, Self::Smooth, Self::In, Self::Out, Self::Hold];
-
-    /// The names in scripts, in the order of [`Easing::ALL`].
-    pub const NAMES: [&str; 5] = ["linear", "smooth", "in", "out", "hold"];
-
-    /// The name in scripts.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize]
-    }
-
-    /// The easing with this name, if any.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|easing| easing.name() == name)
-    }
-
     /// The part of the way that is done after the part `t` of the time; both 0 to 1.
     #[must_use]
     pub fn at(self, t: f64) -> f64 {

@@ -1,6 +1,7 @@
 //! A script: the length, the size and the tracks of a film.
 
 use crate::{Easing, Track};
+use lsystem_base::named;
 use lsystem_drawing::Origin;
 
 /// The longest text of a script, in bytes.
@@ -36,25 +37,7 @@ pub enum Ending {
     Bounce,
 }
 
-impl Ending {
-    /// All values, in the order of the page's list.
-    pub const ALL: [Self; 3] = [Self::Once, Self::Repeat, Self::Bounce];
-
-    /// The names in scripts, in the order of [`Ending::ALL`].
-    pub const NAMES: [&str; 3] = ["once", "repeat", "bounce"];
-
-    /// The name in scripts.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize]
-    }
-
-    /// The ending with this name, if any.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|ending| ending.name() == name)
-    }
-}
+named!(Ending: Once "once", Repeat "repeat", Bounce "bounce");
 
 /// The length, the size and the tracks of a film. The text form is read by `FromStr` and written by `Display`.
 #[derive(Clone, Debug, PartialEq)]

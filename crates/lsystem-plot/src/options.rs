@@ -1,5 +1,7 @@
 //! The choices for a plot.
 
+use lsystem_base::named;
+
 /// Where the carriage of a plotter rests before and after a pen draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Corner {
@@ -14,21 +16,9 @@ pub enum Corner {
     BottomRight,
 }
 
+named!(Corner: TopLeft "top-left", TopRight "top-right", BottomLeft "bottom-left", BottomRight "bottom-right");
+
 impl Corner {
-    /// All corners.
-    pub const ALL: [Self; 4] = [Self::TopLeft, Self::TopRight, Self::BottomLeft, Self::BottomRight];
-
-    /// The corner's name for the program and for scripts.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::TopLeft => "top-left",
-            Self::TopRight => "top-right",
-            Self::BottomLeft => "bottom-left",
-            Self::BottomRight => "bottom-right",
-        }
-    }
-
     /// The corner of a sheet of this size, y down.
     pub(crate) fn of(self, [width, height]: [f64; 2]) -> [f64; 2] {
         match self {

@@ -1,6 +1,7 @@
 //! Named tables of the symbols' actions.
 
 use crate::{Action, Outline};
+use lsystem_base::named;
 
 /// A named table from symbols to actions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -18,33 +19,9 @@ pub enum Dialect {
     Axes,
 }
 
+named!(Dialect: Abop "abop", EveryLetter "every-letter", Practical "practical", Lowercase "lowercase", Axes "axes");
+
 impl Dialect {
-    /// All dialects, in the order of the page's list.
-    pub const ALL: &[Self] = &[Self::Abop, Self::EveryLetter, Self::Practical, Self::Lowercase, Self::Axes];
-
-    /// The dialects' names in files, in the order of [`Dialect::ALL`].
-    pub const NAMES: [&str; Self::ALL.len()] = {
-        let mut names = [""; Self::ALL.len()];
-        let mut at = 0;
-        while at < names.len() {
-            names[at] = Self::ALL[at].name();
-            at += 1;
-        }
-        names
-    };
-
-    /// The dialect's name in files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Abop => "abop",
-            Self::EveryLetter => "every-letter",
-            Self::Practical => "practical",
-            Self::Lowercase => "lowercase",
-            Self::Axes => "axes",
-        }
-    }
-
     /// The dialect's title and a description of its symbols, in English.
     #[must_use]
     pub const fn words(self) -> [&'static str; 2] {

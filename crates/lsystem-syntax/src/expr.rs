@@ -5,6 +5,7 @@
 //! `a - b * floor(a / b)`.
 
 use core::fmt;
+use lsystem_base::named;
 
 /// An expression as written.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,46 +46,11 @@ pub enum Operator {
     Power,
 }
 
+// In the order of precedence, loosest first.
+named!(Operator: Or "||", And "&&", Equal "==", NotEqual "!=", Less "<", LessOrEqual "<=", Greater ">",
+    GreaterOrEqual ">=", Add "+", Subtract "-", Multiply "*", Divide "/", Remainder "%", Power "^");
+
 impl Operator {
-    /// All operators by precedence, loosest first.
-    pub const ALL: [Self; 14] = [
-        Self::Or,
-        Self::And,
-        Self::Equal,
-        Self::NotEqual,
-        Self::Less,
-        Self::LessOrEqual,
-        Self::Greater,
-        Self::GreaterOrEqual,
-        Self::Add,
-        Self::Subtract,
-        Self::Multiply,
-        Self::Divide,
-        Self::Remainder,
-        Self::Power,
-    ];
-
-    /// The operator in the notation.
-    #[must_use]
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Or => "||",
-            Self::And => "&&",
-            Self::Equal => "==",
-            Self::NotEqual => "!=",
-            Self::Less => "<",
-            Self::LessOrEqual => "<=",
-            Self::Greater => ">",
-            Self::GreaterOrEqual => ">=",
-            Self::Add => "+",
-            Self::Subtract => "-",
-            Self::Multiply => "*",
-            Self::Divide => "/",
-            Self::Remainder => "%",
-            Self::Power => "^",
-        }
-    }
-
     /// The precedence, from 1 (`||`, loosest) to 7 (`^`, tightest). Signs have 6, `SIGN`. `^` groups to the right,
     /// comparisons do not chain, and all other operators group to the left.
     #[must_use]
@@ -163,56 +129,11 @@ pub enum Function {
     Distance,
 }
 
+named!(Function: Sin "sin", Cos "cos", Tan "tan", Asin "asin", Acos "acos", Atan "atan", Atan2 "atan2", Sqrt "sqrt",
+    Exp "exp", Ln "ln", Abs "abs", Floor "floor", Ceil "ceil", Min "min", Max "max", Random "random",
+    NormalRandom "nran", Inside "inside", Distance "distance");
+
 impl Function {
-    /// All functions.
-    pub const ALL: [Self; 19] = [
-        Self::Sin,
-        Self::Cos,
-        Self::Tan,
-        Self::Asin,
-        Self::Acos,
-        Self::Atan,
-        Self::Atan2,
-        Self::Sqrt,
-        Self::Exp,
-        Self::Ln,
-        Self::Abs,
-        Self::Floor,
-        Self::Ceil,
-        Self::Min,
-        Self::Max,
-        Self::Random,
-        Self::NormalRandom,
-        Self::Inside,
-        Self::Distance,
-    ];
-
-    /// The function's name in the notation.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Asin => "asin",
-            Self::Acos => "acos",
-            Self::Atan => "atan",
-            Self::Atan2 => "atan2",
-            Self::Sqrt => "sqrt",
-            Self::Exp => "exp",
-            Self::Ln => "ln",
-            Self::Abs => "abs",
-            Self::Floor => "floor",
-            Self::Ceil => "ceil",
-            Self::Min => "min",
-            Self::Max => "max",
-            Self::Random => "random",
-            Self::NormalRandom => "nran",
-            Self::Inside => "inside",
-            Self::Distance => "distance",
-        }
-    }
-
     /// Whether the first argument is the name of a shape.
     #[must_use]
     pub fn takes_shape(self) -> bool {
@@ -322,9 +243,9 @@ impl Expr {
                 };
                 a.write(f, left)?;
                 if inner <= 4 {
-                    write!(f, " {} ", operator.symbol())?;
+                    write!(f, " {} ", operator.name())?;
                 } else {
-                    f.write_str(operator.symbol())?;
+                    f.write_str(operator.name())?;
                 }
                 b.write(f, right)
             }

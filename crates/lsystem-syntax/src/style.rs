@@ -2,7 +2,7 @@
 
 use crate::Dialect;
 use crate::notes::excerpt;
-use lsystem_base::say;
+use lsystem_base::{named, say};
 
 /// An opaque sRGB colour with 8 bits per channel. Its text form is `#rrggbb`; `#rgb` and the sixteen basic CSS colour
 /// names are read too.
@@ -34,19 +34,13 @@ pub enum ColourBy {
     Density,
 }
 
+named!(ColourBy: Symbol "symbol", Single "single", Level "level", Turn "turn", Generation "generation", Path "path",
+    Density "density");
+
 impl ColourBy {
     /// All values, in the order of the page's list.
-    pub const ALL: [Self; 7] =
+    pub const LISTED: [Self; 7] =
         [Self::Symbol, Self::Level, Self::Generation, Self::Path, Self::Turn, Self::Density, Self::Single];
-
-    /// The names in files, in the order of the enum.
-    pub const NAMES: [&str; 7] = ["symbol", "single", "level", "turn", "generation", "path", "density"];
-
-    /// Its name in files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize]
-    }
 
     /// What the page calls it, and a note for readers, in English.
     #[must_use]
@@ -124,19 +118,7 @@ pub enum Ink {
     Density,
 }
 
-impl Ink {
-    /// All values, in the order of the page's list.
-    pub const ALL: [Self; 3] = [Self::Auto, Self::Solid, Self::Density];
-
-    /// The names in files, in the order of [`Ink::ALL`].
-    pub const NAMES: [&str; 3] = ["auto", "solid", "density"];
-
-    /// Its name in files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize]
-    }
-}
+named!(Ink: Auto "auto", Solid "solid", Density "density");
 
 /// The look of a drawing. A stroke's width is the turtle's width, but at least `min_width`.
 #[derive(Clone, Debug, PartialEq)]

@@ -118,8 +118,7 @@ macro_rules! keywords {
                 Value::Text(self.name().to_owned())
             }
             fn from_value(value: &Value) -> Option<Self> {
-                let Value::Text(word) = value else { return None };
-                Self::ALL.iter().copied().find(|one| one.name() == word)
+                if let Value::Text(word) = value { Self::named(word) } else { None }
             }
         }
     )*};

@@ -130,7 +130,7 @@ fn tables() -> String {
     }
     script_text += "});\n\n/** What the colour follows, by its name in files: what it is called, and a note. */\n\
         export const COLOURINGS = /* @__PURE__ */ Object.freeze({\n";
-    for by in ColourBy::ALL {
+    for by in ColourBy::LISTED {
         let [label, help] = by.words().map(quoted);
         writeln!(script_text, "    {}: {{ label: {label}, help: {help} }},", by.name()).unwrap();
     }

@@ -55,7 +55,7 @@ fn random_definition(source: &mut Source<'_>) -> Definition {
         }
     }
     if source.once_in(4) {
-        definition.dialect = source.pick(Dialect::ALL);
+        definition.dialect = source.pick(&Dialect::ALL);
     }
     if source.once_in(3) {
         definition.style = style(source);

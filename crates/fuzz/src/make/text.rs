@@ -124,7 +124,7 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
         7 if source.once_in(6) => format!("taper({})", expression(source, names, depth - 1)),
         7 => {
             let name = source.pick_word(FUNCTIONS);
-            let arity = Function::ALL.iter().find(|function| function.name() == name).map_or(1, |own| own.arity());
+            let arity = Function::named(name).map_or(1, Function::arity);
             let arguments: Vec<String> = (0..arity).map(|_| expression(source, names, depth - 1)).collect();
             format!("{name}({})", arguments.join(", "))
         }

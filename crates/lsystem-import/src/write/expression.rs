@@ -69,7 +69,7 @@ impl Arithmetic<'_> {
                     Operator::And if self.is_python => " and ",
                     Operator::Or if self.is_python => " or ",
                     Operator::Power if self.is_python => "**",
-                    _ => operator.symbol(),
+                    _ => operator.name(),
                 });
                 self.part(b, own + 1, out)?;
             }

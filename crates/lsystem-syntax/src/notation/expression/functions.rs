@@ -12,7 +12,7 @@ pub(crate) fn function(name: &str) -> Option<Function> {
     if name == RAN {
         return Some(Function::Random);
     }
-    Function::ALL.into_iter().find(|function| function.name() == name)
+    Function::named(name)
 }
 
 /// The error for a name before `(` that is not a function.
@@ -25,8 +25,7 @@ pub(super) fn unknown_function(name: &str, similar: Option<&'static str>) -> Dia
         ("round" | "int" | "trunc", _) => say!("To round write `floor(x + 0.5)`."),
         (_, Some(similar)) => say!("Did you mean `{}`?", similar),
         (_, None) => {
-            let names: Vec<&str> = Function::ALL.iter().map(|f| f.name()).collect();
-            say!("The functions are {}.", names.join(", "))
+            say!("The functions are {}.", Function::NAMES.join(", "))
         }
     };
     Diagnostic::error(say!("There is no function `{}`", name)).hint(hint).fix(similar.map(str::to_owned))
