@@ -427,6 +427,10 @@ fn json_error(error: &ParseError, text: &str) -> (Diagnostic, Range<usize>) {
         | E::ExpectedPlusMinusOrDigitInNumberLiteral
         | E::HexadecimalNumbersNotAllowed
         | E::NonFiniteNumbersNotAllowed => (say!("This is not a number"), None, floor(range.end)),
+        // Of a text in no known notation, such as a program.
+        _ if !text.trim_start().starts_with(['{', '[', '/']) => {
+            (say!("This is no L-system: it has neither an axiom nor rules"), None, first(1))
+        }
         _ => (
             say!("This has no place in JSON"),
             Some(say!("Is a quote or a comma missing before it?")),

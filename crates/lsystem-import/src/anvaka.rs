@@ -23,26 +23,13 @@ use crate::draft::{Draft, production};
 use crate::rules::split_rule;
 use crate::source::{Lines, Source};
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::{decimal, say};
+use lsystem_base::{decimal, number::number, say};
 use lsystem_syntax::{Grammar, Module, Production, look_alike};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The keys, in lower case. All other keys have no effect on that page.
-const KEYS: [&str; 12] = [
-    "axiom",
-    "start",
-    "rules",
-    "production rules",
-    "actions",
-    "depth",
-    "angle",
-    "width",
-    "color",
-    "stepsperframe",
-    "direction",
-    "position",
-];
+const KEYS: &str =
+    "axiom, start, rules, production rules, actions, depth, angle, width, color, stepsperframe, direction, position";
 
 /// Keys that only this page has.
 const OWN: [&str; 5] = ["depth", "actions", "stepsperframe", "direction", "position"];
@@ -58,7 +45,7 @@ const CODE: &str = "code=";
 fn key(line: &str) -> Option<(String, &str)> {
     let (key, value) = line.split_once(':')?;
     let key = key.trim().to_ascii_lowercase();
-    KEYS.contains(&key.as_str()).then_some((key, value.trim()))
+    KEYS.split(", ").any(|known| known == key).then_some((key, value.trim()))
 }
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {

@@ -1,11 +1,11 @@
 //! A system from statements about it: an axiom, rules, angles, meanings, each with its place.
 
 use crate::angle::{NoAngle, by_value, tidy};
-use crate::draft::Draft;
+use crate::draft::{Draft, turtle};
 use crate::source::Source;
+use crate::vocabulary::{Key, is_vague};
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::{counted, decimal, say, word};
+use lsystem_base::{counted, decimal, number::number, say, word, words::said};
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern, Production, look_alike, parse};
 use std::collections::{HashMap, HashSet};
 
@@ -42,9 +42,10 @@ pub(super) enum Angle {
 }
 
 /// What a text says about what symbols do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Symbols {
     /// The usual symbols of the field, as descriptions and books use them.
+    #[default]
     Usual,
     /// Those of a program that is not known: the usual ones, with a remark.
     Program,
@@ -53,7 +54,7 @@ pub(super) enum Symbols {
 }
 
 /// All that a text says about one system.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Statements {
     pub(super) name: String,
     /// Where names stand.
@@ -85,27 +86,7 @@ pub(super) struct Statements {
 
 impl Statements {
     pub(super) fn new(name: &str, start: usize, symbols: Symbols) -> Self {
-        Self {
-            name: name.to_owned(),
-            names: Vec::new(),
-            start,
-            axiom: None,
-            rules: Vec::new(),
-            angle: None,
-            left: None,
-            right: None,
-            heading: None,
-            iterations: None,
-            factor: None,
-            lines: Vec::new(),
-            images: Vec::new(),
-            meanings: Vec::new(),
-            meant: HashSet::new(),
-            symbols,
-            remarks: Vec::new(),
-            extents: Vec::new(),
-            comments: Vec::new(),
-        }
+        Self { name: name.to_owned(), start, symbols, ..Self::default() }
     }
 
     pub(super) fn note(&mut self, span: Range<usize>, why: String) {
@@ -114,6 +95,49 @@ impl Statements {
 
     pub(super) fn refuse(&mut self, span: Range<usize>, why: String) {
         self.remarks.push((span, why, true));
+    }
+
+    /// Takes over an angle. Two that differ contradict each other, unless the word may mean another angle.
+    pub(super) fn say_angle(&mut self, key: Key, word: &str, angle: Said<Angle>) {
+        let known = match key {
+            Key::LeftAngle => &mut self.left,
+            Key::RightAngle => &mut self.right,
+            _ => &mut self.angle,
+        };
+        match known {
+            Some(first) if first.value != angle.value && key == Key::Angle && is_vague(word) => {
+                self.note(angle.span, say!("`{}` is not carried over", word));
+            }
+            Some(first) if first.value != angle.value => {
+                let first = first.span.clone();
+                self.contradict(first, angle.span);
+            }
+            _ => *known = Some(angle),
+        }
+    }
+
+    /// Refuses the system, because two statements contradict each other.
+    pub(super) fn contradict(&mut self, first: Range<usize>, second: Range<usize>) {
+        self.refuse(first, say!("Two statements contradict each other"));
+        self.refuse(second, say!("Two statements contradict each other"));
+    }
+
+    /// Leaves out rules, with a remark.
+    pub(super) fn leave_out(&mut self, why: &str, is_left_out: impl FnMut(&mut Rule) -> bool) {
+        let left_out: Vec<Rule> = self.rules.extract_if(.., is_left_out).collect();
+        left_out.into_iter().for_each(|rule| self.note(rule.span, said(why)));
+    }
+
+    /// Keeps one rule of each symbol, as programs do that know no chance.
+    pub(super) fn keep_one(&mut self, is_last: bool) {
+        let mut kept: HashMap<String, usize> = HashMap::new();
+        for (at, rule) in self.rules.iter().enumerate() {
+            let place = kept.entry(rule.from.clone()).or_insert(at);
+            *place = if is_last { at } else { *place };
+        }
+        let mut at = 0..;
+        let why = if is_last { REPLACED } else { EARLIER };
+        self.leave_out(why, |rule| at.next() != kept.get(&rule.from).copied());
     }
 
     /// The actions of a symbol; a later statement counts.
@@ -141,6 +165,13 @@ impl Statements {
     }
 }
 
+/// The remark on a system without an angle.
+pub(super) const NO_ANGLE: &str = word!("The text gives no angle; 90 degrees is chosen");
+
+/// Why a rule of a symbol with several ones is left out.
+pub(super) const REPLACED: &str = word!("A later rule for the same symbol replaces this one");
+pub(super) const EARLIER: &str = word!("An earlier rule for the same symbol counts");
+
 /// Symbols that the field uses in space.
 const IN_SPACE: [char; 4] = ['&', '^', '\\', '/'];
 
@@ -159,6 +190,7 @@ impl<'a> Assembly<'a> {
             self.draft.read(name.span, say!("name {}", name.value));
         }
         shared_angle(&mut self.said);
+        shared_length(&mut self.said);
         let Some(axiom) = self.said.axiom.take() else {
             self.draft.refuse(self.draft.line, "", say!("There is no axiom"));
             return self.draft;
@@ -245,15 +277,7 @@ impl<'a> Assembly<'a> {
             let why = say!("This has parentheses, and cannot be read as a word with parameters");
             return self.draft.refuse_at(rule.span.clone(), why);
         }
-        // `*` stands for no context.
-        let (left, rest) = match from.split_once('<') {
-            Some((left, rest)) if !left.is_empty() && !rest.is_empty() => (left.trim_matches('*'), rest),
-            _ => ("", from.as_str()),
-        };
-        let (strict, right) = match rest.split_once('>') {
-            Some((strict, right)) if !strict.is_empty() && !right.is_empty() => (strict, right.trim_matches('*')),
-            _ => (rest, ""),
-        };
+        let [left, strict, right] = sides(&from);
         let mut letters = strict.chars();
         let (Some(letter), None) = (letters.next(), letters.next()) else {
             return self.draft.refuse_at(rule.span.clone(), say!("The left side of a rule must be one symbol"));
@@ -275,8 +299,7 @@ impl<'a> Assembly<'a> {
     }
 
     fn numbers(&mut self) {
-        let said = (self.said.angle.take(), self.said.left.take(), self.said.right.take());
-        let (angle, left, right) = said;
+        let (angle, left, right) = (self.said.angle.take(), self.said.left.take(), self.said.right.take());
         let symbols = self.symbols();
         let turns = |symbol: char| symbols.contains(&symbol);
         match (angle.or(left.clone()), right) {
@@ -305,7 +328,7 @@ impl<'a> Assembly<'a> {
                     self.said.meanings.iter().any(|(known, words)| *known == symbol && !needs_angle(&words.value))
                 };
                 if ['+', '-', '&', '^', '/', '\\'].into_iter().any(|symbol| turns(symbol) && !own(symbol)) {
-                    self.draft.note(self.draft.line, "", say!("The text gives no angle; 90 degrees is chosen"));
+                    self.draft.note(self.draft.line, "", said(NO_ANGLE));
                 }
             }
         }
@@ -353,10 +376,20 @@ impl<'a> Assembly<'a> {
     fn meanings(&mut self) {
         let symbols = self.symbols();
         let line = self.draft.line;
-        let said = core::mem::take(&mut self.said.meanings);
-        let is_said = |symbol: char| said.iter().any(|(known, _)| *known == symbol);
+        let mut said = core::mem::take(&mut self.said.meanings);
         let letters = |c: &char| c.is_alphabetic() || c.is_numeric();
-        let draws = said.iter().any(|(symbol, words)| symbols.contains(symbol) && words.value.contains("draw"));
+        let has = |said: &[(char, Said<String>)], symbol: char, word: &str| {
+            said.iter().any(|(known, words)| *known == symbol && words.value.contains(word))
+        };
+        // A program that only moves shows its way by other means, such as objects.
+        let is_shown =
+            |symbol: &char| has(&said, *symbol, "draw") || "FG".contains(*symbol) && !has(&said, *symbol, "move");
+        if self.said.symbols == Symbols::Program && !symbols.iter().any(is_shown) {
+            let moves = said.iter_mut().filter(|(_, words)| words.value == "move");
+            moves.for_each(|(_, words)| words.value = "draw".to_owned());
+        }
+        let is_said = |symbol: char| said.iter().any(|(known, _)| *known == symbol);
+        let draws = symbols.iter().any(|symbol| has(&said, *symbol, "draw"));
         match self.said.symbols {
             Symbols::Said => self.draft.others = Some(""),
             Symbols::Usual => {
@@ -436,11 +469,7 @@ impl<'a> Assembly<'a> {
                 let (_, words) = said.iter().find(|(known, _)| *known == symbol)?;
                 Some(words.starts_with("turn left")).filter(|_| words.starts_with("turn "))
             };
-            let known =
-                [('F', "draw"), ('G', "draw"), ('f', "move"), ('g', "move"), ('+', "turn left"), ('-', "turn right")];
-            for (symbol, actions) in
-                known.into_iter().chain([('|', "turn round"), ('[', "open branch"), (']', "close branch")])
-            {
+            for (symbol, actions) in turtle("a program") {
                 // If one turn is said, the other is its opposite.
                 let opposite = match (symbol, is_left('+'), is_left('-')) {
                     ('-', Some(left), _) | ('+', _, Some(left)) => Some(if left { "turn right" } else { "turn left" }),
@@ -516,12 +545,41 @@ fn shared_angle(said: &mut Statements) {
     }
 }
 
+/// Lengths that are all equal, or that only some lines have, are the length of a step.
+fn shared_length(said: &mut Statements) {
+    let length = |action: &str| {
+        let length = action.strip_prefix("draw").or(action.strip_prefix("move"))?.trim_start();
+        (length.is_empty() || decimal::read(length).is_some()).then(|| length.to_owned())
+    };
+    let lengths = said.meanings.iter().flat_map(|(_, words)| words.value.split(", ")).filter_map(length);
+    let lengths: HashSet<String> = lengths.collect();
+    if lengths.len() > 1 && !lengths.contains("") {
+        return;
+    }
+    for (_, words) in &mut said.meanings {
+        let bare = |action: &str| if length(action).is_some() { action[..4].to_owned() } else { action.to_owned() };
+        words.value = words.value.split(", ").map(bare).collect::<Vec<_>>().join(", ");
+    }
+}
+
 /// Whether actions turn by the angle of the system.
 fn needs_angle(words: &str) -> bool {
     words.split(',').any(|action| {
         let action = action.trim();
         ["turn left", "turn right", "pitch up", "pitch down", "roll left", "roll right"].contains(&action)
     })
+}
+
+/// The left context, the symbol and the right context of a predecessor. `*` stands for no context.
+pub(super) fn sides(from: &str) -> [&str; 3] {
+    let (left, rest) = match from.split_once('<') {
+        Some((left, rest)) if !left.is_empty() && !rest.is_empty() => (left.trim_matches('*'), rest),
+        _ => ("", from),
+    };
+    match rest.split_once('>') {
+        Some((strict, right)) if !strict.is_empty() && !right.is_empty() => [left, strict, right.trim_matches('*')],
+        _ => [left, rest, ""],
+    }
 }
 
 /// A word of plain symbols. White space is left out, and typographic look-alikes are read as what they look like.

@@ -3,8 +3,7 @@
 use crate::tokens::{Kind, Node};
 use crate::value::{Unit, What, arithmetic};
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::sorted;
+use lsystem_base::{number::number, sorted};
 
 /// What a program does where it compares a symbol.
 #[derive(Debug, Default)]
@@ -29,6 +28,12 @@ pub(super) fn branches(nodes: &[Node]) -> Branches {
     let mut symbols: Vec<char> = Vec::new();
     let mut start = 0;
     for at in 0..flat.len() {
+        if let Some((symbol, actions, span)) = given(&flat, at) {
+            if !found.meanings.iter().any(|(known, ..)| *known == symbol) {
+                found.meanings.push((symbol, actions, span));
+            }
+            continue;
+        }
         let Some(compared) = compared(&flat, at) else { continue };
         if symbols.is_empty() {
             start = flat[at].span.start;
@@ -76,6 +81,86 @@ fn flatten<'t>(nodes: &'t [Node], flat: &mut Vec<&'t Node>, depth: usize) {
     }
 }
 
+/// A symbol that a call, a map or an assignment gives an action: `token("F", Action::Forward(10))`, `"+": turtle.left`.
+fn given(flat: &[&Node], at: usize) -> Option<(char, String, Range<usize>)> {
+    let text = flat[at].text()?;
+    let (mut letters, sign) = (text.chars(), flat.get(at + 1)?);
+    let symbol = letters.next().filter(|_| letters.next().is_none())?;
+    let is_argument = sign.is(",") && at > 0 && matches!(flat[at - 1].kind, Kind::Group('(', _));
+    if !(is_argument || [":", "=>", "="].iter().any(|mark| sign.is(mark))) {
+        return None;
+    }
+    // The last name of a path counts.
+    let mut end = at + 2;
+    let mut name = flat.get(end)?.name()?;
+    while let Some([dot, next]) = flat.get(end + 1..end + 3)
+        && (dot.is("::") || dot.is("."))
+        && let Some(last) = next.name()
+    {
+        (name, end) = (last, end + 2);
+    }
+    let call = flat.get(end + 1).filter(|next| matches!(next.kind, Kind::Group('(', _)) && !next.is_first);
+    let place = flat[at].span.start..call.unwrap_or(&flat[end]).span.end;
+    let inside = call.and_then(|call| call.group()).unwrap_or_default();
+    let turned = |left: bool| turn(inside, left).map(|words| (symbol, words, place.clone()));
+    let actions = match verb(name)? {
+        // A heading counts as in mathematics.
+        "rotate" => return turned(true),
+        "turn left" => return turned(true),
+        "turn right" => return turned(false),
+        "lift" => return None,
+        drawn @ ("draw" | "move") => with_length(drawn, inside),
+        other => other.to_owned(),
+    };
+    Some((symbol, actions, place))
+}
+
+/// The words for a function of a turtle, in the words of custom symbols.
+fn verb(name: &str) -> Option<&'static str> {
+    Some(match &*name.to_ascii_lowercase().replace('_', "") {
+        "penup" | "pu" => "lift",
+        "box" | "rect" | "fillrect" | "cylinder" | "forward" | "fd" | "line" | "drawline" | "lineto"
+        | "drawforward" | "draw" | "goforward" => "draw",
+        "translate" | "moveto" | "move" => "move",
+        "left" | "lt" | "turnleft" | "rotateleft" => "turn left",
+        "right" | "rt" | "turnright" | "rotateright" => "turn right",
+        "rotate" => "rotate",
+        "pushmatrix" | "pushstate" | "savestate" | "push" | "save" | "append" => "open branch",
+        "popmatrix" | "popstate" | "restorestate" | "pop" | "restore" => "close branch",
+        "nothing" | "noop" => "",
+        _ => return None,
+    })
+}
+
+/// A turn with the angle that a call gives; `None` if it is neither in degrees nor in radians.
+fn turn(inside: &[Node], left: bool) -> Option<String> {
+    let is_negative = inside.first().is_some_and(|node| node.is("-"));
+    // An axis of Unity: `Rotate(Vector3.back * angle)`.
+    let axis = inside.iter().find_map(|node| match node.name()? {
+        "back" => Some(false),
+        "forward" => Some(true),
+        _ => None,
+    });
+    let words = if axis.unwrap_or(left) == is_negative { "turn right" } else { "turn left" };
+    let What::Number(value, unit) = arithmetic(if is_negative { &inside[1..] } else { inside }) else {
+        return Some(words.to_owned());
+    };
+    let degrees = match unit {
+        Unit::Degrees => value,
+        Unit::Radians => crate::angle::tidy(value.to_degrees()),
+        Unit::Unknown => crate::angle::by_value(value).ok()?.0,
+    };
+    Some(format!("{words} {}", number(degrees)))
+}
+
+/// A step with the length that a call gives as a number.
+fn with_length(action: &str, inside: &[Node]) -> String {
+    match arithmetic(inside) {
+        What::Number(length, _) if length > 0.0 => format!("{action} {}", number(length)),
+        _ => action.to_owned(),
+    }
+}
+
 /// The symbols that the string at a place is compared with.
 fn compared(flat: &[&Node], at: usize) -> Option<Vec<char>> {
     among(flat, at, 8)
@@ -120,47 +205,32 @@ fn action(body: &[&Node]) -> Option<(String, usize)> {
         let Some(name) = node.name() else { continue };
         let Some(call) = body.get(at + 1).filter(|next| matches!(next.kind, Kind::Group('(', _))) else { continue };
         let inside = call.group().unwrap_or_default();
-        let is_negative = inside.first().is_some_and(|node| node.is("-"));
-        let turn = |left: bool| {
-            let words = if left { "turn left" } else { "turn right" };
-            let positive = if is_negative { &inside[1..] } else { inside };
-            match arithmetic(positive) {
-                What::Number(value, unit) => {
-                    let degrees = match unit {
-                        Unit::Degrees => value,
-                        Unit::Radians => crate::angle::tidy(value.to_degrees()),
-                        Unit::Unknown => crate::angle::by_value(value).ok()?.0,
-                    };
-                    Some((format!("{words} {}", number(degrees)), call.span.end))
-                }
-                _ => Some((words.to_owned(), call.span.end)),
-            }
-        };
-        let lower = name.to_ascii_lowercase().replace('_', "");
-        let found = match lower.as_str() {
-            "penup" | "pu" => {
+        let found = match (verb(name), &*name.to_ascii_lowercase()) {
+            (Some("lift"), _) => {
                 lifted = true;
                 continue;
             }
-            "forward" | "fd" | "goforward" | "drawforward" | "moveforward" if lifted => "move",
-            "box" | "rect" | "fillrect" | "cylinder" | "forward" | "fd" | "line" | "drawline" | "lineto"
-            | "drawforward" | "draw" | "goforward" => "draw",
-            "left" | "lt" | "turnleft" | "rotateleft" => return turn(!is_negative),
-            "right" | "rt" | "turnright" | "rotateright" => return turn(is_negative),
+            (Some("draw"), "forward" | "fd" | "goforward") => with_length(if lifted { "move" } else { "draw" }, inside),
+            (Some("draw"), _) => "draw".to_owned(),
+            (Some(side @ ("turn left" | "turn right")), _) => {
+                return Some((turn(inside, side == "turn left")?, call.span.end));
+            }
             // On a canvas y goes down, so positive angles turn right.
-            "rotate" => return turn(is_negative),
-            "pushmatrix" | "pushstate" | "savestate" => "open branch",
-            "popmatrix" | "popstate" | "restorestate" => "close branch",
+            (Some("rotate"), _) => return Some((turn(inside, false)?, call.span.end)),
             // Of a list, only one that keeps states.
-            "push" | "save" | "append" if inside.is_empty() || keeps(body, at) => "open branch",
-            "pop" | "restore" if inside.is_empty() || keeps(body, at) => "close branch",
-            "translate" | "moveto" | "move" => {
+            (Some("open branch" | "close branch"), "push" | "save" | "append" | "pop" | "restore")
+                if !inside.is_empty() && !keeps(body, at) =>
+            {
+                continue;
+            }
+            (Some(branch @ ("open branch" | "close branch")), _) => branch.to_owned(),
+            (Some("move"), _) => {
                 moved = moved.or(Some(call.span.end));
                 continue;
             }
             _ => continue,
         };
-        return Some((found.to_owned(), call.span.end));
+        return Some((found, call.span.end));
     }
     moved.map(|end| ("move".to_owned(), end))
 }

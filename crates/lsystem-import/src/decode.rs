@@ -19,20 +19,8 @@ pub(super) struct Decoded {
 
 impl Decoded {
     pub(super) fn new(source: &str) -> Self {
-        let commands = [
-            "\\rightarrow",
-            "\\to ",
-            "\\to\\",
-            "\\mapsto",
-            "\\Rightarrow",
-            "\\longrightarrow",
-            "\\begin{",
-            "\\omega",
-            "\\delta",
-            "\\texttt{",
-            "\\item",
-        ];
-        let is_latex = commands.iter().any(|command| source.contains(command));
+        let commands = r"\to\ \mapsto \Rightarrow \longrightarrow \begin{ \omega \delta \texttt{ \item \rightarrow";
+        let is_latex = source.contains("\\to ") || commands.split(' ').any(|command| source.contains(command));
         let is_html = ["</", "<br", "<p>", "<li>", "/>"].iter().any(|tag| source.contains(tag));
         let mut decoded = Self::default();
         // Markdown writes a backslash before signs of its own: `F\[+F\]`. As a symbol it stands before few brackets.

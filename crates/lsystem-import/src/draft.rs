@@ -7,9 +7,7 @@ use crate::{Entry, Remark};
 use core::array::IntoIter;
 use core::iter::Flatten;
 use core::ops::{Range, RangeInclusive};
-use lsystem_base::sorted;
-use lsystem_base::sorted::set;
-use lsystem_base::{MAX_ITERATIONS, decimal, say};
+use lsystem_base::{MAX_ITERATIONS, decimal, say, sorted, sorted::set};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{
@@ -251,7 +249,7 @@ impl<'a> Draft<'a> {
         if !self.has_iterations {
             self.definition.iterations = fitting_iterations(&grammar);
             let n = self.definition.iterations;
-            self.note(self.line, "", say!("The text gives no number of iterations; {} is chosen by the size", n));
+            self.note(self.line, "", chosen_iterations(n));
         }
         let mut problems = self.definition.out_of_range();
         if problems.is_empty() {
@@ -283,6 +281,13 @@ impl<'a> Draft<'a> {
         }
         self.definition.overrides = lines.join("\n");
     }
+}
+
+/// What the symbols of a program do, in the words of custom symbols: its line of `turtles.txt`.
+pub(super) fn turtle(program: &str) -> impl Iterator<Item = (char, &'static str)> {
+    let mut lines = include_str!("turtles.txt").lines();
+    let own = lines.find_map(|line| line.strip_prefix(program)?.strip_prefix(": ")).unwrap_or_default();
+    own.split(", ").filter_map(|one| Some((one.chars().next()?, one.split_once(' ')?.1)))
 }
 
 /// The actions that words name; `None` if a word is unknown.
@@ -339,6 +344,11 @@ impl FreeSymbols {
         self.given.insert(key.to_owned(), symbol);
         symbol
     }
+}
+
+/// The remark on a system without a number of iterations.
+pub(super) fn chosen_iterations(n: u32) -> String {
+    say!("The text gives no number of iterations; {} is chosen by the size", n)
 }
 
 /// A number of iterations that gives a picture of a usual size: the largest whose string has at most 20,000 symbols.

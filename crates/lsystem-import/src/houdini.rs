@@ -12,33 +12,10 @@
 //! and `"`, `_` and `!` scale by 0.9. Symbols that need geometry or change the angle are refused, and so are the time and
 //! the place of the turtle in rules, and numbers of symbols that mean something else here.
 
-use crate::draft::Draft;
+use crate::draft::{Draft, turtle};
 use crate::source::Source;
-use lsystem_base::number::number;
-use lsystem_base::words::said;
-use lsystem_base::{decimal, say, word};
+use lsystem_base::{decimal, number::number, say, word, words::said};
 use lsystem_syntax::{Module, parse};
-
-/// The actions of Houdini's symbols.
-const MEANINGS: [(char, &str); 17] = [
-    ('F', "draw"),
-    ('f', "move"),
-    ('H', "draw 0.5"),
-    ('h', "move 0.5"),
-    ('G', "draw unmarked"),
-    ('+', "turn right"),
-    ('-', "turn left"),
-    ('|', "turn round"),
-    ('&', "pitch up"),
-    ('^', "pitch down"),
-    ('\\', "roll right"),
-    ('/', "roll left"),
-    ('"', "length times 0.9"),
-    ('_', "length times 1.1111111111111112"),
-    ('!', "width times 0.9"),
-    ('[', "open branch"),
-    (']', "close branch"),
-];
 
 /// The label of a line, without digits and in lower case, and the value.
 fn labelled(line: &str) -> Option<(&'static str, &str)> {
@@ -124,10 +101,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     }
     draft.definition.rules = ignored.into_iter().chain(rules).collect::<Vec<_>>().join("\n");
     draft.others = Some("");
-    MEANINGS.into_iter().for_each(|(symbol, actions)| draft.meaning(symbol, actions));
-    draft.meaning('%', "cut branch");
-    draft.meaning('\'', "next colour");
-    draft.meaning('*', "roll left 180");
+    turtle("Houdini").for_each(|(symbol, actions)| draft.meaning(symbol, actions));
     if draft.definition.out_of_range().is_empty() {
         symbols(&mut draft);
     }

@@ -52,7 +52,9 @@ pub use account::{Fate, Part};
 use account::{Mark, account};
 use core::ops::Range;
 use draft::Draft;
-use lsystem_base::{MAX_TEXT, say, word};
+use lsystem_base::number::number;
+use lsystem_base::words::said;
+use lsystem_base::{MAX_ITERATIONS, MAX_TEXT, say, word};
 use lsystem_files::text_of;
 use lsystem_syntax::Definition;
 use mapped::Mapped;
@@ -186,7 +188,7 @@ impl Reading {
             Peeled::Parts(parts) => parts.iter().filter_map(|part| inside(part, false)).reduce(Found::and),
             Peeled::Fenced(fences) => {
                 let mut read = |fence: &Fence| inside(&wrappings::part(text, fence.inside.clone()), false);
-                let found: Vec<Option<Found>> = fences.iter().map(&mut read).collect();
+                let mut found: Vec<Option<Found>> = fences.iter().map(&mut read).collect();
                 // Blocks that hold no system belong to the text around.
                 let passed = fences.iter().zip(&found).flat_map(|(Fence { whole, inside }, found)| match found {
                     Some(_) => vec![whole.clone()],
@@ -196,19 +198,124 @@ impl Reading {
                     None => Vec::new(),
                 });
                 let rest = inside(&wrappings::without(text, passed), true);
-                found.into_iter().flatten().chain(rest).reduce(Found::and)
+                if rest.is_none() {
+                    // What stands before a block is about it, or else what stands behind.
+                    for (at, found) in
+                        found.iter_mut().enumerate().filter_map(|(at, found)| Some((at, found.as_mut()?)))
+                    {
+                        let before = at.checked_sub(1).map_or(0, |before| fences[before].whole.end);
+                        found.join(text, before..fences[at].whole.start);
+                        if at + 1 == fences.len() {
+                            found.join(text, fences[at].whole.end..text.len());
+                        }
+                    }
+                }
+                match (found.into_iter().flatten().reduce(Found::and), rest) {
+                    (Some(found), Some(rest)) => Some(found.unite(rest)),
+                    (found, rest) => found.or(rest),
+                }
             }
         };
-        found.or_else(|| plain(text, &lines))
+        let found = found.or_else(|| plain(text, &lines));
+        // A program may state its system in comments alone.
+        let is_refused = |found: &Found| found.entries.iter().all(|entry| entry.definition.is_none());
+        if found.as_ref().is_none_or(is_refused)
+            && let Some(comments) = wrappings::comments(text)
+            && let Some(left) = self.left.checked_sub(comments.text.len())
+            && let Some(read) = plain(&comments.text, &Lines::new(&comments.text)).filter(|read| !is_refused(read))
+        {
+            self.left = left;
+            return Some(comments.moved(read, &lines));
+        }
+        found
     }
 }
 
 impl Found {
+    /// So many systems of blocks are looked for in the text around.
+    const MAX_COMPARED: usize = 32;
+
     fn and(mut self, other: Self) -> Self {
         let before = self.entries.len();
         self.entries.extend(other.entries);
         self.marks.extend(other.marks.into_iter().map(|(at, mark)| (before + at, mark)));
         self
+    }
+
+    /// Adds the systems of a text around. One that is a system of this text said again adds only what that one lacks.
+    fn unite(mut self, other: Self) -> Self {
+        let own = self.entries.len();
+        let mut places = Vec::new();
+        for entry in other.entries {
+            let same = self.entries[..own.min(Self::MAX_COMPARED)].iter().position(|known| known.is_also(&entry));
+            if let Some(same) = same {
+                let known = &mut self.entries[same];
+                let (no_angle, no_iterations) = entry.lacks();
+                let said = entry.definition.as_ref();
+                known.complete(
+                    said.map(|said| said.angle).filter(|_| !no_angle),
+                    said.map(|said| said.iterations).filter(|_| !no_iterations),
+                );
+            } else {
+                self.entries.push(entry);
+            }
+            places.push(same.unwrap_or(self.entries.len() - 1));
+        }
+        let marks = other.marks.into_iter().filter_map(|(at, mark)| Some((*places.get(at)?, mark)));
+        self.marks.extend(marks);
+        self
+    }
+
+    /// Completes systems without an angle or a number of iterations by what a part of the text around says.
+    fn join(&mut self, text: &str, place: Range<usize>) {
+        if !self.entries.iter().any(|entry| entry.lacks() != (false, false)) {
+            return;
+        }
+        let part = wrappings::part(text, place);
+        let (angle, n) = statements::beside(&part.text);
+        for (at, entry) in self.entries.iter_mut().enumerate() {
+            let (joined_angle, joined_n) =
+                entry.complete(angle.as_ref().map(|angle| angle.value), n.as_ref().map(|n| n.value));
+            let angle = angle.as_ref().filter(|_| joined_angle).map(|a| (&a.span, say!("angle {}", number(a.value))));
+            let n = n.as_ref().filter(|_| joined_n).map(|n| (&n.span, format!("n {}", n.value)));
+            for (span, words) in angle.into_iter().chain(n) {
+                self.marks.push((at, Mark { span: part.span(span), fate: Fate::Read, words }));
+            }
+        }
+    }
+}
+
+impl Entry {
+    /// Whether the text gave no angle, and no number of iterations.
+    fn lacks(&self) -> (bool, bool) {
+        let has = |message: &str| self.remarks.iter().any(|remark| remark.message == message);
+        let n = self.definition.as_ref().map_or(0, |definition| definition.iterations);
+        (has(&said(assembly::NO_ANGLE)), has(&draft::chosen_iterations(n)))
+    }
+
+    /// Whether another entry says the same system, as far as both say it.
+    fn is_also(&self, other: &Self) -> bool {
+        let (Some(own), Some(their)) = (&self.definition, &other.definition) else { return false };
+        let plain = |text: &str| text.replace(' ', "");
+        let is_lacking = self.lacks().0 || other.lacks().0;
+        plain(&own.axiom) == plain(&their.axiom)
+            && plain(&own.rules) == plain(&their.rules)
+            && (is_lacking || own.angle == their.angle)
+    }
+
+    /// Takes over an angle and a number of iterations where the text gave none; which of them it took.
+    fn complete(&mut self, angle: Option<f64>, n: Option<u32>) -> (bool, bool) {
+        let lacks = self.lacks();
+        let Some(definition) = &mut self.definition else { return (false, false) };
+        let joined = (angle.filter(|_| lacks.0), n.filter(|n| lacks.1 && *n <= MAX_ITERATIONS));
+        let chosen = draft::chosen_iterations(definition.iterations);
+        definition.angle = joined.0.unwrap_or(definition.angle);
+        definition.iterations = joined.1.unwrap_or(definition.iterations);
+        let is_said = |message: &str| {
+            joined.0.is_some() && message == said(assembly::NO_ANGLE) || joined.1.is_some() && message == chosen
+        };
+        self.remarks.retain(|remark| !is_said(&remark.message));
+        (joined.0.is_some(), joined.1.is_some())
     }
 }
 

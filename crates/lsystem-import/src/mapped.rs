@@ -25,6 +25,15 @@ impl Mapped {
         self.places.extend(part);
     }
 
+    /// Adds another text in one line.
+    pub(crate) fn append_line(&mut self, other: &Self) {
+        for (at, ch) in other.text.char_indices() {
+            let mut buffer = [0; 4];
+            let sign: &str = if ch == '\n' { " " } else { ch.encode_utf8(&mut buffer) };
+            self.push(other.place(at), sign);
+        }
+    }
+
     /// Ends the text; `end` is the place behind its last byte.
     pub(crate) fn end(mut self, end: usize) -> Self {
         self.places.push(end);

@@ -23,11 +23,11 @@ use crate::prose_words::is_prose;
 use crate::rules::split_rule;
 use crate::source::Source;
 use crate::tokens::{Kind, Node, tree};
-use crate::value::{Member, Value, What, elements, members};
+use crate::value::{Member, Value, What, elements, members, pairs};
 use crate::vocabulary::{Key, key, letter_of, rows};
 use core::ops::Range;
 use lsystem_base::say;
-use object::{angle_of, is_of_symbols, is_sure, word_of};
+use object::{angle_of, is_of_symbols, is_sure, lindenmayer, word_of};
 use rules::Rules;
 use std::collections::HashSet;
 
@@ -39,6 +39,8 @@ const FIELD: [&str; 6] = ["axiom", "l-system", "lsystem", "lindenmayer", "l_syst
 const MAKERS: [&str; 6] = ["lsys", "l_sys", "lindenmayer", "grammar", "derivation", SUBSTITUTION];
 /// The function of Wolfram's language, which takes rules, an axiom and the number of steps.
 const SUBSTITUTION: &str = "substitutionsystem";
+/// A type of the crate dcc-lsystem, whose turtle starts to the right. Of several rules for a symbol the last one counts.
+const TURTLE_BUILDER: &str = "TurtleLSystemBuilder";
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
@@ -54,13 +56,26 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         systems: Vec::new(),
         flat: Flat::default(),
         branches: branches(&tree.nodes),
+        // Lists of lists of Asymptote.
+        first_counts: lower.contains(SUBSTITUTION) || text.contains("string[][]") && !text.contains("new"),
     };
     reader.walk(&tree.nodes, "", &[]);
-    reader.finish_flat();
-    let Reader { mut systems, branches, .. } = reader;
+    reader.next_flat();
+    let Reader { mut systems, branches, first_counts, .. } = reader;
     // One more than the limit, which is then said.
     systems.truncate(crate::MAX_ENTRIES + 1);
+    let is_turtle_builder = text.contains(TURTLE_BUILDER);
     for system in systems.iter_mut().filter(|system| system.symbols == Symbols::Program) {
+        if first_counts {
+            system.keep_one(false);
+        }
+        if text.contains("setProduction") {
+            lindenmayer(system);
+        }
+        if is_turtle_builder {
+            system.keep_one(true);
+            system.heading.get_or_insert(Said::new(0.0, 0..0));
+        }
         for (symbol, actions, span) in branches.meanings.iter().take(MAX_BRANCHES) {
             system.mean(*symbol, actions.clone(), span.clone());
         }
@@ -89,6 +104,8 @@ struct Reader<'a> {
     systems: Vec<Statements>,
     flat: Flat,
     branches: Branches,
+    /// Whether the first of several rules for a symbol is the only one.
+    first_counts: bool,
 }
 
 impl Reader<'_> {
@@ -112,8 +129,8 @@ impl Reader<'_> {
             if let (Some(function), Some(arguments)) = (node.name(), called) {
                 // `rules.add(..)`, `rules['F'].push_back(..)`
                 let (receiver, index) = match nodes.get(..at) {
-                    Some([.., object, index, dot]) if dot.is(".") && index.group().is_some() => {
-                        (object.name(), index.group().and_then(|inside| inside.first()?.text()))
+                    Some([.., object, Node { kind: Kind::Group('[', index), .. }, dot]) if dot.is(".") => {
+                        (object.name(), index.first().and_then(Node::text))
                     }
                     Some([.., object, dot]) if dot.is(".") || dot.is("::") => (object.name(), None),
                     _ => (None, None),
@@ -125,7 +142,10 @@ impl Reader<'_> {
                 }
             }
             if let Kind::Group(_, inside) = &node.kind {
-                let own = members(inside);
+                let mut own = members(inside);
+                if own.is_empty() {
+                    own = pairs(inside);
+                }
                 if let Some(system) = self.object(&own, node.span.clone(), name, around) {
                     self.systems.push(system);
                 } else {
@@ -164,17 +184,14 @@ impl Reader<'_> {
                 if member.index.is_none() && member.value.items().is_some() && !is_of_symbols(&member.value) {
                     return false;
                 }
-                let mut rules = Rules::default();
+                let mut rules = Rules::new(self.first_counts);
                 match member.index {
-                    Some(index) if index.text().is_some() => {
-                        rules.keyed(index.text().unwrap_or_default(), &member.value);
-                    }
-                    Some(_) => rules.listed(&member.value),
+                    Some(index) => rules.one(index.text(), &member.value, None),
                     // `rules_a = "FF"` says the letter; `rules = {...}` says all.
                     None if let Some(letter) = letter_of(&member.key)
                         && member.value.text().is_some_and(|text| split_rule(text).is_none()) =>
                     {
-                        rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
+                        rules.one(Some(letter.encode_utf8(&mut [0; 4])), &member.value, None);
                     }
                     None => rules.all(&member.value),
                 }
@@ -193,7 +210,8 @@ impl Reader<'_> {
                     return false;
                 }
                 let whole = member.index.is_none() && key == Key::Rules && letter_of(&member.key).is_none();
-                self.flat_rules(rules, member.span.clone(), whole);
+                let is_key = member.index.is_some_and(|index| index.text().is_some());
+                self.flat_rules(rules, member.span.clone(), whole, is_key);
             }
             Key::Angle | Key::LeftAngle | Key::RightAngle | Key::LengthFactor | Key::Iterations => {
                 let number = member.value.number().filter(|number| *number != 0.0);
@@ -210,8 +228,7 @@ impl Reader<'_> {
                 if key == Key::Angle && differs && flat.axiom.is_some() && !flat.rules.is_empty() {
                     self.next_flat();
                 }
-                let mut said =
-                    core::mem::replace(self.flat_mut(member.span.start), Statements::new("", 0, Symbols::Usual));
+                let mut said = core::mem::take(self.flat_mut(member.span.start));
                 if key != Key::Iterations || said.iterations.is_none() {
                     self.part(&mut said, member);
                     said.extents.push(member.span.clone());
@@ -245,15 +262,17 @@ impl Reader<'_> {
         let names = rows(function);
         let to_rules = receiver.is_some_and(|receiver| matches!(key(receiver), Some(Key::Rules | Key::Rule)));
         if names.has(Key::AddsRule) || names.has(Key::AddsToList) && to_rules {
-            let mut rules = Rules::default();
+            let mut rules = Rules::new(self.first_counts);
             match (index, &own[..]) {
-                (Some(letter), [to]) => rules.keyed(letter, to),
+                (Some(letter), [to]) => rules.one(Some(letter), to, None),
                 _ => rules.arguments(&own, span.clone()),
             }
             if rules.found.is_empty() {
                 return false;
             }
-            self.flat_rules(rules, span, false);
+            // A key of a map has one value.
+            let is_key = to_rules && own.len() == 2 && own[0].text().is_some();
+            self.flat_rules(rules, span, false, is_key || function.to_ascii_lowercase().starts_with("set"));
             return true;
         }
         match (&own[..], receiver) {
@@ -267,7 +286,17 @@ impl Reader<'_> {
                 self.extend(span);
                 true
             }
-            ([n], _) if names.has(Key::Runs) && n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) => {
+            ([heading], _) if function == "rotate" && self.text.contains(TURTLE_BUILDER) => {
+                let Some(degrees) = heading.number() else { return false };
+                self.flat_mut(span.start).heading = Some(Said::new(degrees, span.clone()));
+                self.extend(span);
+                true
+            }
+            ([n], _)
+                if names.has(Key::Runs)
+                    && (function != "step_by" || receiver.is_some())
+                    && n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) =>
+            {
                 let n = n.number().unwrap_or_default().to_string();
                 if self.flat.said.is_some() {
                     self.flat_mut(span.start).iterations = Some(Said::new(n, span.clone()));
@@ -309,7 +338,7 @@ impl Reader<'_> {
         };
         let groups: Vec<&Value<'_>> =
             own.iter().filter(|value| value.items().is_some() && !is_alphabet(value)).collect();
-        let mut rules = Rules::default();
+        let mut rules = Rules::new(self.first_counts);
         groups.iter().for_each(|group| rules.all(group));
         // Of several words, the axiom is the only one with a letter that is replaced.
         if words.len() > 1 && !rules.found.is_empty() {
@@ -325,9 +354,10 @@ impl Reader<'_> {
             return false;
         }
         let mut said = Statements::new(name, span.start, Symbols::Program);
+        said.comments.push(span.start..arguments.span.start);
         said.extents.push(span);
         said.axiom = Some(Said::new(word.text().unwrap_or_default().to_owned(), word.span.clone()));
-        rules.into(&mut said);
+        rules.into(&mut said, false);
         for member in arguments.group().map(members).unwrap_or_default() {
             self.part(&mut said, &member);
         }

@@ -18,22 +18,12 @@
 //! as another one are read.
 
 use crate::MAX_ENTRIES;
-use crate::draft::Draft;
+use crate::draft::{Draft, turtle};
 use crate::rules::split_rule;
 use crate::source::Source;
+use crate::value::whole_number;
 use lsystem_base::{decimal, say};
 use std::collections::{BTreeSet, HashMap};
-
-/// The actions of the symbols of `lindenmayer/turtle`. Its lines are 1 wide where the steps are 2 long.
-const LIBRARY: [(char, &str); 7] = [
-    ('F', "draw"),
-    ('f', "move"),
-    ('+', "turn left"),
-    ('-', "turn right"),
-    ('!', "width 0.5"),
-    ('[', "open branch"),
-    (']', "close branch"),
-];
 
 /// A system: its first line and its lines that are not empty.
 type Part<'a> = (usize, Vec<&'a str>);
@@ -121,7 +111,7 @@ impl<'a> Code<'a> {
                 Some(Defined::Same(other)) => symbol = *other,
                 Some(Defined::Nothing) => return ("", false),
                 other => {
-                    let known = LIBRARY.iter().find(|(known, _)| *known == symbol);
+                    let known = turtle("Racket").find(|(known, _)| *known == symbol);
                     return (known.map_or("", |(_, actions)| actions), other.is_some());
                 }
             }
@@ -275,7 +265,7 @@ fn system<'a>(source: Source<'a>, line: usize, lines: &[&'a str], code: &Code<'a
     if library {
         draft.definition.step = 2.0;
         draft.others = Some("");
-        LIBRARY.into_iter().for_each(|(symbol, actions)| draft.meaning(symbol, actions));
+        turtle("Racket").for_each(|(symbol, actions)| draft.meaning(symbol, actions));
         for symbol in body.chars().filter(|ch| code.definitions.contains_key(ch)).collect::<BTreeSet<char>>() {
             let (actions, unknown) = code.actions(symbol);
             let is_nothing = actions.is_empty();
@@ -346,8 +336,7 @@ fn angle(draft: &mut Draft<'_>, variables: &[(&str, &str, &str)], code: &Code<'_
     let found = names.iter().find_map(|name| variables.iter().rev().find(|(own, ..)| own == name));
     draft.definition.angle = match (found, code.turn) {
         (Some((_, value, line)), _) => {
-            let ratio = |(a, b): (&str, &str)| Some(decimal::read(a.trim())? / decimal::read(b.trim())?);
-            let angle = decimal::read(value).or_else(|| value.split_once('/').and_then(ratio));
+            let angle = whole_number(value);
             let place = draft.place(line);
             match angle.filter(|angle| angle.is_finite()) {
                 Some(angle) => draft.read(place, say!("angle {}", angle)),

@@ -14,7 +14,7 @@ mod rules;
 use crate::MAX_ENTRIES;
 use crate::assembly::{Angle, Rule, Said, Statements, Symbols};
 use crate::decode::Decoded;
-use crate::draft::Draft;
+use crate::draft::{Draft, turtle};
 use crate::prose_words::is_prose;
 use crate::rules::ARROWS;
 use crate::source::Source;
@@ -37,42 +37,28 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         return None;
     }
     let decoded = Decoded::new(source.text);
-    let lower = decoded.mapped.text.to_lowercase();
-    let semicolons = decoded.mapped.text.lines().filter(|line| line.trim_end().ends_with(';')).count() > 1;
-    let mut reader = Reader {
-        decoded: &decoded,
-        said: Statements::new("", 0, Symbols::Usual),
-        systems: Vec::new(),
-        section: Section::None,
-        title: None,
-        next_title: None,
-        semicolons,
-        constants: Vec::new(),
-        degrees: None,
-        arrows: 0,
-        is_inkscape: lower.contains("step length (px):"),
-        pending: None,
-        chance: None,
-        is_named: lower.contains("axiom") || lower.contains("ω") || lower.contains("omega"),
-    };
-    let mut at = 0;
-    for line in decoded.mapped.text.split('\n') {
-        reader.line(at..at + line.len());
-        at += line.len() + 1;
-        if reader.systems.len() > MAX_ENTRIES {
-            break;
-        }
-        if reader.arrows > MAX_RULES {
-            let why = say!("A text with more than {} rules is not read", MAX_RULES);
-            let end = source.text.len();
-            reader.said.refuse(end..end, why);
-            break;
-        }
-    }
-    reader.finish();
+    let mut reader = Reader::new(&decoded);
+    reader.lines();
+    reader.next_system();
     let systems = reader.systems;
     let drafts: Vec<Draft<'a>> = systems.into_iter().map(|said| said.assemble(source, &decoded.markup)).collect();
     (!drafts.is_empty()).then_some(drafts)
+}
+
+/// The angle in degrees and the number of iterations that a text beside a system gives, if it gives one of each.
+pub(super) fn beside(text: &str) -> (Option<Said<f64>>, Option<Said<u32>>) {
+    let decoded = Decoded::new(text);
+    let mut reader = Reader::new(&decoded);
+    reader.said.axiom = Some(Said::new(String::new(), 0..0));
+    reader.lines();
+    let Statements { angle, iterations, remarks, .. } = reader.said;
+    let signs = ["°", "degree"].iter().map(|sign| text.matches(sign).count()).sum::<usize>();
+    let degrees = match angle {
+        Some(Said { value: Angle::Degrees(degrees), span }) => Some(Said::new(degrees, span)),
+        _ => reader.degrees.filter(|_| signs == 1),
+    };
+    let iterations = iterations.and_then(|n| Some(Said::new(n.value.parse().ok()?, n.span)));
+    (degrees.filter(|_| !remarks.iter().any(|(.., refuses)| *refuses)), iterations)
 }
 
 /// Whether several lines of a text are those of a program.
@@ -137,7 +123,44 @@ const BULLETS: [char; 11] = ['•', '·', '▪', '◦', '‣', '-', '*', '>', '�
 /// Quotes and markup around words.
 const QUOTES: [char; 12] = ['"', '\'', '`', '“', '”', '‘', '’', '*', ' ', '\t', '«', '»'];
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    fn new(decoded: &'t Decoded) -> Self {
+        let text = &decoded.mapped.text;
+        let lower = text.to_lowercase();
+        Self {
+            decoded,
+            said: Statements::default(),
+            systems: Vec::new(),
+            section: Section::None,
+            title: None,
+            next_title: None,
+            semicolons: text.lines().filter(|line| line.trim_end().ends_with(';')).count() > 1,
+            constants: Vec::new(),
+            degrees: None,
+            arrows: 0,
+            is_inkscape: lower.contains("step length (px):"),
+            pending: None,
+            chance: None,
+            is_named: lower.contains("axiom") || lower.contains("ω") || lower.contains("omega"),
+        }
+    }
+
+    fn lines(&mut self) {
+        let decoded = self.decoded;
+        let mut at = 0;
+        for line in decoded.mapped.text.split('\n') {
+            self.line(at..at + line.len());
+            at += line.len() + 1;
+            if self.systems.len() > MAX_ENTRIES {
+                break;
+            }
+            if self.arrows > MAX_RULES {
+                let end = decoded.mapped.place(decoded.mapped.text.len());
+                return self.said.refuse(end..end, say!("A text with more than {} rules is not read", MAX_RULES));
+            }
+        }
+    }
+
     fn span(&self, range: &Range<usize>) -> Range<usize> {
         self.decoded.mapped.span(range)
     }
@@ -164,8 +187,8 @@ impl Reader<'_> {
             return;
         }
         // A comment behind a blank.
-        let comment = ["// ", " # ", "/* "].iter().filter_map(|mark| text.find(mark)).min();
-        if let Some(at) = comment.filter(|at| *at > 0 || text.starts_with("//")) {
+        let comment = [" // ", " # ", " /* "].iter().filter_map(|mark| text.find(mark)).min();
+        if let Some(at) = comment.or(text.starts_with("// ").then_some(0)) {
             let rest = line.start + at..line.end;
             self.said.comments.push(self.span(&rest));
             line = self.trimmed(&(line.start..line.start + at), &[]);
@@ -182,8 +205,9 @@ impl Reader<'_> {
         }
         // Sections of settings: `[rules]`.
         if let Some(name) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'))
-            && let Some(key) = key(name)
+            && let Some(key) = key(name.rsplit('.').next().unwrap_or(name))
         {
+            self.cover(&line);
             self.section = if key == Key::Rules { Section::Rules } else { Section::None };
             return;
         }
@@ -307,8 +331,7 @@ impl Reader<'_> {
 
     /// Ends a system.
     fn next_system(&mut self) {
-        let next = Statements::new("", 0, Symbols::Usual);
-        let mut said = core::mem::replace(&mut self.said, next);
+        let mut said = core::mem::take(&mut self.said);
         let title = core::mem::replace(&mut self.title, self.next_title.take());
         let constants = core::mem::take(&mut self.constants);
         let degrees = self.degrees.take();
@@ -368,13 +391,7 @@ impl Reader<'_> {
         said.lines.splice(0..0, own);
         if self.is_inkscape {
             said.symbols = Symbols::Said;
-            ('A'..='F').for_each(|letter| said.mean(letter, "draw", 0..0));
-            ('G'..='L').for_each(|letter| said.mean(letter, "move", 0..0));
-            let others = [('+', "turn left"), ('-', "turn right"), ('|', "turn round"), ('[', "open branch")];
-            others
-                .into_iter()
-                .chain([(']', "close branch")])
-                .for_each(|(symbol, words)| said.mean(symbol, words, 0..0));
+            turtle("Inkscape").for_each(|(symbol, words)| said.mean(symbol, words, 0..0));
         }
         if said.angle.is_none()
             && said.left.is_none()
@@ -396,7 +413,7 @@ impl Reader<'_> {
         if said.name.is_empty()
             && let Some(title) = title
         {
-            let inner = self.trimmed(&title, &['#', '*', '=', '_', ':', '.', '-']);
+            let inner = self.trimmed(&title, &['#', '*', '=', '_', ':', '.', '-', '[', ']']);
             let span = self.span(&inner);
             if span.end <= start || span.start >= start {
                 self.text(&inner).clone_into(&mut said.name);
@@ -416,9 +433,5 @@ impl Reader<'_> {
         let line = self.text(&range);
         let plain = !line.is_empty() && line.len() <= 200 && !line.contains([' ', '=', ':', '.']) && !is_prose(line);
         (plain && line.contains(['F', 'X', 'L', 'A', 'S'])).then(|| Said::new(line.to_owned(), self.span(&range)))
-    }
-
-    fn finish(&mut self) {
-        self.next_system();
     }
 }

@@ -10,14 +10,12 @@
 //! `+ - [ ]` turn and branch; `\symbol` gives other symbols one of these actions. Rotations of the path and of the
 //! environments around it turn the heading.
 
-use crate::draft::{Draft, production};
+use crate::draft::{Draft, production, turtle};
 use crate::rules::split_rule;
 use crate::source::Source;
+use crate::value::whole_number;
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::sorted;
-use lsystem_base::words::said;
-use lsystem_base::{decimal, say, word};
+use lsystem_base::{decimal, number::number, say, sorted, word, words::said};
 use lsystem_syntax::{Grammar, Module, look_alike};
 use std::collections::{HashMap, HashSet};
 
@@ -297,9 +295,11 @@ type Turned = Result<f64, &'static str>;
 fn transform(option: &str) -> Option<Turned> {
     let (key, value) = option.split_once('=').map_or((option, ""), |(key, value)| (key.trim(), value.trim()));
     let turned = match key {
-        "rotate" => amount(value),
-        "rotate around" => amount(value.trim_start_matches('{').split(':').next().unwrap_or_default()),
-        "scale" => amount(value).filter(|factor| *factor != 0.0).map(|factor| if factor < 0.0 { 180.0 } else { 0.0 }),
+        "rotate" => whole_number(value),
+        "rotate around" => whole_number(value.trim_start_matches('{').split(':').next().unwrap_or_default()),
+        "scale" => {
+            whole_number(value).filter(|factor| *factor != 0.0).map(|factor| if factor < 0.0 { 180.0 } else { 0.0 })
+        }
         "shift" | "xshift" | "yshift" => Some(0.0),
         "xscale" | "yscale" | "xslant" | "yslant" | "cm" => {
             return Some(Err(word!("This stretches or mirrors the drawing, which has no equal here")));
@@ -322,12 +322,17 @@ fn turn(turned: Turned, place: Range<usize>, draft: &mut Draft<'_>) {
     }
 }
 
-/// A number, or a fraction of two.
-fn amount(text: &str) -> Option<f64> {
-    let text = text.trim().trim_end_matches('°').trim();
-    let ratio = |(a, b): (&str, &str)| Some(decimal::read(a.trim())? / decimal::read(b.trim())?);
-    let value = decimal::read(text).or_else(|| text.split_once('/').and_then(ratio));
-    value.filter(|value| value.is_finite())
+/// A length of TeX in points.
+fn points(text: &str) -> Option<f64> {
+    let unit = text.find(|c: char| c.is_ascii_alphabetic())?;
+    let points = match text[unit..].trim() {
+        "pt" => 1.0,
+        "mm" => 72.27 / 25.4,
+        "cm" => 72.27 / 2.54,
+        "in" => 72.27,
+        _ => return None,
+    };
+    decimal::read(text[..unit].trim()).map(|number| number * points).filter(|step| step.is_finite() && *step > 0.0)
 }
 
 /// Reads the options of a system. `used` holds the names of the declarations that have marks.
@@ -342,20 +347,17 @@ fn system<'a>(
     let definition = &mut draft.definition;
     (definition.heading, definition.angle) = (0.0, 90.0);
     draft.others = Some("");
-    for (symbol, actions) in [('F', "draw"), ('f', "move"), ('+', "turn left"), ('-', "turn right")] {
-        draft.meaning(symbol, actions);
-    }
-    draft.meaning('[', "open branch");
-    draft.meaning(']', "close branch");
+    turtle("TikZ").for_each(|(symbol, actions)| draft.meaning(symbol, actions));
     draft.covers(draft.place(text));
     tex.pass_comments(text, draft);
     let line = draft.line;
+    let (mut angle_percent, mut step_percent, mut step) = (0.0, 0.0, 5.0);
     for option in tex.options(text) {
         let (key, value) = option.split_once('=').map_or((option, ""), |(key, value)| (key.trim(), value.trim()));
         let value = tex.group(value).map_or(value, |(inside, _)| inside.trim());
         let place = draft.place(option);
         let number_of = |draft: &mut Draft<'_>| {
-            let found = amount(value);
+            let found = whole_number(value);
             match found {
                 Some(found) => draft.read(place.clone(), format!("{key} {}", number(found))),
                 None => draft.refuse_at(place.clone(), say!("This is not a number")),
@@ -381,14 +383,17 @@ fn system<'a>(
                 draft.definition.right_angle = Some(right);
             }
             "right angle" => draft.definition.right_angle = Some(number_of(draft)),
-            "randomize angle percent" => draft.definition.angle_variation = number_of(draft),
-            "randomize step percent" => draft.definition.length_variation = number_of(draft),
+            "randomize angle percent" => angle_percent = number_of(draft),
+            "randomize step percent" => step_percent = number_of(draft),
             "rule set" => {
                 draft.pass(place);
                 tex.options(value).into_iter().for_each(|rule| add_rule(rule, &mut grammar, draft));
             }
             // The size and the place of the whole drawing.
-            "step" | "anchor" => draft.pass(place),
+            "step" | "anchor" => {
+                draft.pass(place);
+                step = points(value).filter(|_| key == "step").unwrap_or(step);
+            }
             _ if value.is_empty() => match declared.get(key) {
                 Some(_) if !draft.definition.name.is_empty() => {
                     draft.refuse_at(place, say!("A second system is named here"));
@@ -410,6 +415,14 @@ fn system<'a>(
     if grammar.axiom.is_empty() {
         draft.refuse(line, "", say!("The text gives no axiom for this system"));
     }
+    // The library varies degrees and points by a twentieth of these numbers, whatever the angle and the step are.
+    let share = |percent: f64, of: f64| {
+        if percent == 0.0 { 0.0 } else { libm::round(percent / (20.0 * of.abs()) * 1e8) / 1e6 }
+    };
+    let definition = &mut draft.definition;
+    let widest = definition.right_angle.unwrap_or(definition.angle).abs().max(definition.angle.abs());
+    (definition.angle_variation, definition.length_variation) =
+        (share(angle_percent, widest), share(step_percent, step));
     draft.grammar(&grammar);
 }
 
@@ -473,8 +486,14 @@ fn add_rule(text: &str, grammar: &mut Grammar, draft: &mut Draft<'_>) {
     let place = draft.place(text.trim());
     match (letters.next(), letters.next()) {
         (Some(letter), None) => {
+            let symbol = look_alike(letter).unwrap_or(letter);
+            let before = grammar.productions.len();
+            grammar.productions.retain(|rule| rule.predecessor.symbol != symbol);
+            if grammar.productions.len() < before {
+                draft.note_at(place.clone(), say!("This rule replaces an earlier one for the same symbol"));
+            }
             draft.read(place, format!("{letter} -> {to}"));
-            grammar.productions.push(production(look_alike(letter).unwrap_or(letter), draft.symbols(to)));
+            grammar.productions.push(production(symbol, draft.symbols(to)));
         }
         _ => draft.refuse_at(place, say!("This rule cannot be read")),
     }

@@ -247,6 +247,8 @@ impl<'a> Lexer<'a> {
             end += exponent.len() - digits.len() + length;
         }
         let value: String = rest[..end].chars().filter(|c| *c != '_').collect();
+        // `60.0_f32`
+        end += usize::from(rest[end..].starts_with('_'));
         let unit = &rest[end..];
         let length = unit.find(|c: char| !c.is_alphanumeric() && c != '°' || c == 'π').unwrap_or(unit.len());
         let unit = unit[..length].to_owned();

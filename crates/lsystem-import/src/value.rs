@@ -5,7 +5,7 @@ mod sums;
 use crate::tokens::{Kind, Node};
 use crate::vocabulary::{Key, rows};
 use core::ops::Range;
-pub(super) use sums::arithmetic;
+pub(super) use sums::{arithmetic, leading};
 
 /// A value and its place in the text.
 #[derive(Clone, Debug)]
@@ -25,6 +25,15 @@ pub(super) enum What<'t> {
     Name(&'t str),
     /// Code and other values that are not read.
     Code,
+}
+
+/// The number that a whole text is: `45`, `360/7`, `22.5°`.
+pub(super) fn whole_number(text: &str) -> Option<f64> {
+    let short = text.trim().get(..50).unwrap_or(text.trim());
+    match arithmetic(&crate::tokens::tree(short).nodes) {
+        What::Number(number, _) if short.len() == text.trim().len() => Some(number),
+        _ => None,
+    }
 }
 
 /// The unit of a number, as far as the text shows it.
@@ -123,20 +132,20 @@ pub(super) fn member(nodes: &[Node], at: usize) -> Option<Member<'_>> {
     }
     // `axiom: string = "F"` of TypeScript, Swift and Rust.
     if nodes[next].is(":") {
-        let typed = nodes.iter().enumerate().skip(next + 1).take(8).take_while(|(at, node)| {
-            *at == next + 1
-                || !node.is_first
-                    && (node.name().is_some()
-                        || ["<", ">", ".", "&", "::"].iter().any(|m| node.is(m))
-                        || matches!(node.kind, Kind::Group('[', _)))
-        });
-        if let Some((end, _)) = typed.last()
-            && nodes
-                .get(next + 1)
-                .is_some_and(|node| node.name().is_some() || node.is("&") || matches!(node.kind, Kind::Group('[', _)))
-            && nodes.get(end + 1).is_some_and(|node| node.is("="))
-        {
-            next = end + 1;
+        let is_type = |at: usize| {
+            nodes.get(at).is_some_and(|node| {
+                node.name().is_some()
+                    || ["<", ">", ".", "&", "::"].iter().any(|mark| node.is(mark))
+                    || matches!(node.kind, Kind::Group('[', _))
+            })
+        };
+        let begins = |at: usize| is_type(at) && !nodes[at].is("<") && !nodes[at].is(".");
+        let mut end = next + 1;
+        while end < next + 12 && (end == next + 1 && begins(end) || is_type(end) && !nodes[end].is_first) {
+            end = types(nodes, end).unwrap_or(end + 1);
+        }
+        if end > next + 1 && nodes.get(end).is_some_and(|node| node.is("=")) {
+            next = end;
         }
     }
     behind(next + 1, key, index)
@@ -154,6 +163,17 @@ pub(super) fn members(nodes: &[Node]) -> Vec<Member<'_>> {
             }
             None => at += 1,
         }
+    }
+    found
+}
+
+/// The pairs of a list as members: `[("axiom", "F"), ("angle", 60)]`.
+pub(super) fn pairs(nodes: &[Node]) -> Vec<Member<'_>> {
+    let mut found = Vec::new();
+    for one in elements(nodes) {
+        let [from, to] = &one.elements()[..] else { return Vec::new() };
+        let Some(key) = from.text().map(str::to_owned) else { return Vec::new() };
+        found.push(Member { key, index: None, value: to.clone(), span: one.span.clone(), next: 0 });
     }
     found
 }
@@ -242,6 +262,21 @@ fn single(node: &Node) -> What<'_> {
 }
 
 fn what(part: &[Node]) -> What<'_> {
+    // `lambda: {..}`
+    if let [lambda, colon, rest @ ..] = part
+        && lambda.name() == Some("lambda")
+        && colon.is(":")
+    {
+        return what(rest);
+    }
+    // `field(default_factory=..)` of a class
+    if let [.., function, call] = part
+        && matches!(function.name(), Some("field" | "ib"))
+        && let Some(inside) = call.group()
+        && let Some(default) = members(inside).into_iter().find(|member| member.key.starts_with("default"))
+    {
+        return default.value.what;
+    }
     // Calls at the end that change nothing: `"F".to_string()`, `[..].freeze`.
     let mut part = part;
     let is_harmless = |before: &[Node], dot: &Node, name: &Node| {

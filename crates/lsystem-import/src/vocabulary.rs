@@ -54,6 +54,9 @@ pub(super) enum Key {
     Runs,
     Harmless,
     Code,
+    Degrees,
+    Radians,
+    Turns,
     /// Words of cpfg, the last row.
     Cpfg,
 }

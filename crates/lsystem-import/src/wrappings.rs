@@ -65,11 +65,22 @@ fn fences(text: &str) -> Vec<Fence> {
         let sign = own.chars().next().filter(|sign| matches!(sign, '`' | '~' | '"' | '\''));
         let length = sign.map_or(0, |sign| own.len() - own.trim_start_matches(sign).len());
         match &open {
-            None if length >= 3 && !own[length..].contains('`') && (is_mark(sign) || own.len() == length) => {
+            None if length >= 3 && is_mark(sign) && !own[length..].contains('`') => {
                 open = sign.map(|sign| (sign, length, place));
+            }
+            // Words of a document may stand behind the quotes.
+            None if length == 3 && !own[length..].contains("\"\"\"") && !own[length..].contains("'''") => {
+                let words = place.end - line.trim_start().len() + length;
+                open = sign.map(|sign| (sign, length, place.start..words));
             }
             Some((opened, least, start)) if sign == Some(*opened) && length >= *least && own.len() == length => {
                 found.push(Fence { whole: start.start..place.end, inside: start.end..place.start });
+                open = None;
+            }
+            // So do the quotes that close.
+            Some((quote @ ('"' | '\''), _, start)) if own.ends_with(&[*quote; 3].map(String::from).concat()) => {
+                let end = place.start + line.trim_end().len() - 3;
+                found.push(Fence { whole: start.start..place.end, inside: start.end..end });
                 open = None;
             }
             _ => {}
@@ -81,6 +92,23 @@ fn fences(text: &str) -> Vec<Fence> {
         found.push(Fence { whole: start.start..text.len(), inside: start.end..text.len() });
     }
     found
+}
+
+/// The lines of comments of a program that names an axiom there, without the signs before them.
+pub(crate) fn comments(text: &str) -> Option<Mapped> {
+    let is_comment = |line: &str| {
+        let own = line.trim_start();
+        own.starts_with(['/', '*', '#', ';', '%']) || own.starts_with("--")
+    };
+    let is_axiom = |line: &str| line.find([':', '=']).is_some_and(|end| key(&line[..end]) == Some(Key::Axiom));
+    let mut inner = Mapped::default();
+    let mut has_axiom = false;
+    for (place, line) in lines(text).filter(|(_, line)| is_comment(line)) {
+        let own = line.trim_start().trim_start_matches(['/', '*', '#', '-', ';', '%', '!', ' ']);
+        has_axiom |= is_axiom(own);
+        inner.copy(text, place.end - own.len()..place.end);
+    }
+    has_axiom.then(|| inner.end(text.len()))
 }
 
 /// A part of a text.
@@ -110,7 +138,7 @@ fn elements(text: &str) -> Vec<Mapped> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some((start, name)) = text[at..].match_indices('<').find_map(|(open, _)| {
-        let names = ["script", "pre", "textarea"];
+        let names = ["script", "pre", "textarea", "table"];
         let rest = &text[at + open + 1..];
         let name =
             names.iter().find(|name| rest.get(..name.len()).is_some_and(|own| own.eq_ignore_ascii_case(name)))?;
@@ -121,15 +149,49 @@ fn elements(text: &str) -> Vec<Mapped> {
     }) {
         let end = close_of(&text[start..], name).map_or(text.len(), |end| start + end);
         let mut inner = Mapped::default();
-        if name == "script" {
-            inner.copy(text, start..end);
-        } else {
-            plain(text, start..end, &mut inner);
+        match name {
+            "script" => inner.copy(text, start..end),
+            "table" => table(text, start..end, &mut inner),
+            _ => plain(text, start..end, &mut inner),
         }
         found.push(inner.end(end));
         at = end;
     }
     found
+}
+
+/// Adds a table of HTML as rows of Markdown. One whose first row holds values has no names of columns.
+fn table(text: &str, part: Range<usize>, inner: &mut Mapped) {
+    let own = &text[part.clone()];
+    let starts = |name: &'static str| {
+        own.match_indices('<').map(|(at, _)| at).filter(move |at| {
+            let tag = &own.as_bytes()[at + 1..];
+            tag.get(..2).is_some_and(|tag| tag.eq_ignore_ascii_case(name.as_bytes()))
+                && tag.get(2).is_some_and(|next| !next.is_ascii_alphanumeric())
+        })
+    };
+    let rows: Vec<usize> = starts("tr").chain([own.len()]).collect();
+    let mut cells: Vec<usize> = starts("td").chain(starts("th")).collect();
+    lsystem_base::sorted::sort(&mut cells);
+    for (at, row) in rows.windows(2).enumerate() {
+        let from = cells.partition_point(|cell| *cell < row[0]);
+        let to = cells.partition_point(|cell| *cell < row[1]);
+        let has_values = at == 0
+            && cells[from..to]
+                .iter()
+                .any(|cell| own[cell + 1..].starts_with(['t', 'T']) && own[cell + 2..].starts_with(['d', 'D']));
+        if has_values {
+            inner.push(part.start + row[0], "| |\n|---|\n");
+        }
+        for next in from + 1..=to {
+            let (cell, end) = (cells[next - 1], if next < to { cells[next] } else { row[1] });
+            inner.push(part.start + cell, "| ");
+            let mut content = Mapped::default();
+            plain(text, part.start + cell..part.start + end, &mut content);
+            inner.append_line(&content);
+        }
+        inner.push(part.start + row[1], if at == 0 && !has_values { " |\n|---|\n" } else { " |\n" });
+    }
 }
 
 /// The place of the tag that closes an element.

@@ -141,6 +141,13 @@ fn differs(want: &Value, entry: &Entry) -> Option<String> {
             return other(key, found.to_string());
         }
     }
+    if want["do"].as_str().is_some_and(|wanted| wanted != d.overrides) {
+        return other("custom symbols", d.overrides.clone());
+    }
+    let variations = [d.angle_variation, d.length_variation];
+    if want["variations"].as_array().is_some_and(|wanted| !wanted.iter().filter_map(Value::as_f64).eq(variations)) {
+        return other("variations", format!("{variations:?}"));
+    }
     let n = want["at"].as_u64()? as u32;
     let drawn = segments(d, n);
     let [x, y] = drawn.last().map_or([0.0; 2], |last| [last[2], last[3]]);

@@ -3,8 +3,7 @@
 use super::Kind;
 use super::choices::without_choices;
 use super::macros::{Macros, Replaced, is_part, token};
-use lsystem_base::number::number;
-use lsystem_base::say;
+use lsystem_base::{number::number, say};
 use lsystem_syntax::parse;
 use std::collections::BTreeMap;
 
@@ -27,41 +26,9 @@ pub(super) const FUNCTIONS: [&str; 19] = [
     "random", "ran", "nran", "not",
 ];
 
-/// Functions of cpfg, whose angles are in degrees as well.
-const CPFG: &[(&str, &[&str], &str)] = &[
-    ("log", &["x"], "ln(x)"),
-    ("fabs", &["x"], "abs(x)"),
-    ("sign", &["x"], "(((x) > 0) - ((x) < 0))"),
-    ("trunc", &["x"], "(floor(abs(x))*(((x) > 0) - ((x) < 0)))"),
-];
-
-/// Functions of Python, whose angles are in radians.
-const PYTHON: &[(&str, &[&str], &str)] = &[
-    ("sin", &["x"], "sin((x)*57.29577951308232)"),
-    ("cos", &["x"], "cos((x)*57.29577951308232)"),
-    ("tan", &["x"], "tan((x)*57.29577951308232)"),
-    ("asin", &["x"], "(asin(x)*0.017453292519943295)"),
-    ("acos", &["x"], "(acos(x)*0.017453292519943295)"),
-    ("atan", &["x"], "(atan(x)*0.017453292519943295)"),
-    ("atan2", &["y", "x"], "(atan2(y, x)*0.017453292519943295)"),
-    ("radians", &["x"], "((x)*0.017453292519943295)"),
-    ("degrees", &["x"], "((x)*57.29577951308232)"),
-    ("log", &["x"], "ln(x)"),
-    ("fabs", &["x"], "abs(x)"),
-    ("float", &["x"], "(x)"),
-    ("int", &["x"], "(floor(abs(x))*(((x) > 0) - ((x) < 0)))"),
-    ("pow", &["x", "y"], "((x)**(y))"),
-    ("random", &[], "random(0, 1)"),
-    ("uniform", &["a", "b"], "random(a, b)"),
-    ("gauss", &["m", "s"], "nran(m, s)"),
-    ("normalvariate", &["m", "s"], "nran(m, s)"),
-    ("randint", &["a", "b"], "floor(random(a, (b) + 1))"),
-];
-
 impl Arithmetic {
     pub(super) fn new(kind: Kind) -> Self {
-        let functions = if kind == Kind::Cpfg { CPFG } else { PYTHON };
-        let mut macros = Macros::new(functions);
+        let mut macros = Macros::new(if kind == Kind::Cpfg { "cpfg " } else { "L-Py " });
         if kind == Kind::LPy {
             macros.define("pi".to_owned(), None, "3.141592653589793".to_owned(), false);
         }

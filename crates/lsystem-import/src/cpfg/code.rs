@@ -5,8 +5,7 @@ use super::assignments::{assignment, is_name, is_random, prints};
 use super::parts::Parts;
 use crate::draft::Draft;
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::say;
+use lsystem_base::{number::number, say};
 
 /// The most assignments at every step: each is compared with all constants, rules and the other assignments.
 const MAX_ASSIGNMENTS: usize = 1000;

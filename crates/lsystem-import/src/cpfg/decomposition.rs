@@ -11,8 +11,7 @@
 
 use super::expressions::{is_random, size};
 use core::cell::Cell;
-use lsystem_base::say;
-use lsystem_base::words::said;
+use lsystem_base::{say, words::said};
 use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{Expr, Grammar, Module, Operator, Production};
 

@@ -11,8 +11,7 @@
 
 use super::expressions::{each_part, size};
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::word;
+use lsystem_base::{number::number, word};
 use lsystem_syntax::{Expr, Grammar, Module, Operator, Pattern, Production, Seen, parse};
 use std::collections::{BTreeMap, BTreeSet};
 

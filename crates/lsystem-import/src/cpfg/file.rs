@@ -9,8 +9,7 @@ use super::{Kind, Places, code, companions, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
 use core::ops::Range;
-use lsystem_base::words::said;
-use lsystem_base::{say, word};
+use lsystem_base::{say, word, words::said};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 

@@ -12,8 +12,7 @@ use super::{Kind, Places, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
 use core::ops::Range;
-use lsystem_base::words::said;
-use lsystem_base::{say, word};
+use lsystem_base::{say, word, words::said};
 use std::borrow::Cow;
 
 const NOT_RUN: &str = word!("Python code is not run");

@@ -39,14 +39,19 @@ const DEEPEST: usize = 50;
 pub(super) const TOO_LONG: &str = word!("Macros or loops make this too long");
 
 impl Macros {
-    /// Functions of another program in words of ours: the name, its parameters, and what stands in its place.
-    pub(super) fn new(functions: &[(&str, &[&str], &str)]) -> Self {
+    /// Functions of another program in words of ours, from the lines of `functions.txt` that begin so.
+    pub(super) fn new(program: &str) -> Self {
         let mut macros = Self { known: BTreeMap::new(), work: Cell::new(MAX_WORK), depth: Cell::new(0) };
-        for (name, parameters, body) in functions {
-            let parameters = Some(parameters.iter().map(|&name| name.to_owned()).collect());
-            let body = (*body).to_owned();
-            macros.known.insert((*name).to_owned(), Macro { parameters, body, is_constant: false, is_own: false });
+        for line in include_str!("functions.txt").lines().filter_map(|line| line.strip_prefix(program)) {
+            let Some((name, (parameters, body))) =
+                line.split_once('(').and_then(|(name, rest)| Some((name, rest.split_once(") = ")?)))
+            else {
+                continue;
+            };
+            let parameters = parameters.split(", ").filter(|name| !name.is_empty()).map(str::to_owned).collect();
+            macros.define(name.to_owned(), Some(parameters), body.to_owned(), false);
         }
+        macros.known.values_mut().for_each(|known| known.is_own = false);
         macros
     }
 

@@ -6,8 +6,7 @@ use super::parts::Parts;
 use super::symbols::Symbols;
 use crate::draft::Draft;
 use core::ops::Range;
-use lsystem_base::words::said;
-use lsystem_base::{say, word};
+use lsystem_base::{say, word, words::said};
 use lsystem_syntax::{Diagnostic, Grammar, Production, parse};
 use std::collections::BTreeSet;
 

@@ -4,8 +4,7 @@
 //! and for each patch some lines about its colours and neighbours, and four lines with four points each.
 
 use core::fmt::Write;
-use lsystem_base::MAX_SURFACE_PATCHES;
-use lsystem_base::number::number;
+use lsystem_base::{MAX_SURFACE_PATCHES, number::number};
 use lsystem_syntax::{Patch, Surface, SurfacePoint};
 
 /// The patches of a file, in the frame of the turtle, times `scale`, with five digits. `None` if the file is no surface.

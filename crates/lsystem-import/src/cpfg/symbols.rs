@@ -5,9 +5,7 @@ use super::macros::{arguments, is_part};
 use super::{Kind, Places};
 use crate::draft::{Draft, FreeSymbols};
 use core::ops::Range;
-use lsystem_base::number::number;
-use lsystem_base::words::said;
-use lsystem_base::{say, word};
+use lsystem_base::{number::number, say, word, words::said};
 use lsystem_syntax::Query;
 use std::collections::{BTreeMap, BTreeSet};
 

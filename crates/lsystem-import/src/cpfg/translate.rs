@@ -8,8 +8,7 @@ use super::symbols::{Role, Symbols, parenthesised};
 use super::{Kind, Places};
 use crate::draft::Draft;
 use core::ops::Range;
-use lsystem_base::words::said;
-use lsystem_base::{counted, say};
+use lsystem_base::{counted, say, words::said};
 use lsystem_syntax::parse;
 use std::collections::BTreeSet;
 

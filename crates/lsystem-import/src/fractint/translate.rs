@@ -1,9 +1,8 @@
 //! Symbols, turns and colours of Fractint in our notation.
 
 use super::{Parts, Token, Turns};
-use crate::draft::{Draft, FreeSymbols, production};
-use lsystem_base::number::number;
-use lsystem_base::say;
+use crate::draft::{Draft, FreeSymbols, production, turtle};
+use lsystem_base::{number::number, say};
 use lsystem_syntax::{Colour, Grammar, Module};
 use std::collections::HashMap;
 
@@ -41,14 +40,7 @@ pub(super) fn translate<'a>(parts: &mut Parts<'a>, draft: &mut Draft<'a>) {
         });
     }
     draft.others = Some("");
-    for (symbol, actions) in
-        [('F', "draw"), ('D', "draw"), ('G', "move"), ('M', "move"), ('[', "open branch"), (']', "close branch")]
-    {
-        draft.meaning(symbol, actions);
-    }
-    draft.meaning('+', "turn left");
-    draft.meaning('-', "turn right");
-    draft.meaning('!', "swap turns");
+    turtle("Fractint").for_each(|(symbol, actions)| draft.meaning(symbol, actions));
     turn_round(parts, turns, has("!"), draft);
     let joined = parts.joined();
     let mut free = FreeSymbols::default();

@@ -1,6 +1,5 @@
 //! Axioms and rules that stand apart in a program.
 
-use super::object::contradict;
 use super::rules::Rules;
 use super::{Flat, Reader};
 use crate::assembly::{Rule, Said, Statements, Symbols};
@@ -33,7 +32,7 @@ impl Reader<'_> {
         self.extend(span);
     }
 
-    pub(super) fn flat_rules(&mut self, rules: Rules, span: Range<usize>, whole: bool) {
+    pub(super) fn flat_rules(&mut self, rules: Rules, span: Range<usize>, whole: bool, replaces: bool) {
         // What stands before the rules themselves: `rules = {`, `rules.push(`.
         let first = rules.found.iter().map(|rule| rule.span.start).min().unwrap_or(span.end);
         if whole && self.flat.has_all_rules {
@@ -42,7 +41,7 @@ impl Reader<'_> {
         self.flat.has_all_rules |= whole;
         self.extend(span.clone());
         self.flat_mut(span.start).comments.push(span.start..first.max(span.start));
-        rules.into(self.flat_mut(span.start));
+        rules.into(self.flat_mut(span.start), replaces);
     }
 
     /// Ends the system of assignments, if it is one.
@@ -65,7 +64,7 @@ impl Reader<'_> {
                 && let Some(first) = last.angle.clone()
                 && first.value != angle.value
             {
-                contradict(last, &first.span, &angle.span);
+                last.contradict(first.span, angle.span.clone());
             }
             for system in &mut self.systems {
                 if system.angle.is_none() && system.left.is_none() && system.right.is_none() {
@@ -84,9 +83,5 @@ impl Reader<'_> {
             return;
         }
         self.systems.push(said);
-    }
-
-    pub(super) fn finish_flat(&mut self) {
-        self.next_flat();
     }
 }

@@ -2,15 +2,16 @@
 
 use super::Reader;
 use super::rules::Rules;
-use crate::assembly::{Angle, Rule, Said, Statements, Symbols};
+use crate::assembly::{Angle, EARLIER, Rule, Said, Statements, Symbols, sides};
+use crate::draft::turtle;
 use crate::prose_words::is_prose;
 use crate::rules::split_rule;
 use crate::tokens::Node;
 use crate::value::{Member, Unit, Value, What};
-use crate::vocabulary::{Key, is_vague, key, letter_of, words};
+use crate::vocabulary::{Key, key, letter_of, words};
 use core::ops::Range;
 use lsystem_base::{decimal, say};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 impl Reader<'_> {
     /// The system of an object; `None` if it is none.
@@ -56,11 +57,23 @@ impl Reader<'_> {
         {
             name.clone_into(&mut said.name);
         }
-        for member in own.iter().filter(|member| member.span != axiom.span) {
-            if is_lindsvg && matches!(&*member.key, "alpha" | "theta" | "step") {
+        let last: HashMap<&str, usize> = own.iter().enumerate().map(|(at, member)| (&*member.key, at)).collect();
+        for (at, member) in own.iter().enumerate().filter(|(_, member)| member.span != axiom.span) {
+            if last.get(&*member.key) != Some(&at) && key(&member.key) != Some(Key::Rule) {
+                said.note(member.span.clone(), say!("A later `{}` replaces this one", member.key));
+                continue;
+            }
+            if is_lindsvg && member.key == "alpha" {
                 continue;
             }
             self.part(&mut said, member);
+        }
+        // The package lsys of Python.
+        if self.text[..span.start].ends_with("Lsys") {
+            said.keep_one(true);
+        }
+        if own.iter().any(|member| member.key == "productions") {
+            lindenmayer(&mut said);
         }
         if is_lindsvg {
             lindsvg(&mut said, own);
@@ -92,7 +105,7 @@ impl Reader<'_> {
         let key = key(&member.key);
         match key {
             Some(Key::Rules | Key::Rule) => {
-                let mut rules = Rules::default();
+                let mut rules = Rules::new(self.first_counts);
                 match (letter_of(&member.key), value.text()) {
                     (Some(letter), Some(text)) if split_rule(text).is_none() => {
                         // A key may write the letter small.
@@ -100,30 +113,19 @@ impl Reader<'_> {
                         let large = letter.to_ascii_uppercase();
                         let is_small = !axiom.contains(letter) && axiom.contains(large);
                         let letter = if is_small { large } else { letter };
-                        rules.keyed(letter.encode_utf8(&mut [0; 4]), value);
+                        rules.rule(letter.encode_utf8(&mut [0; 4]), text, None, &value.span);
                     }
                     _ => rules.all(value),
                 }
-                rules.into(said);
+                rules.into(said, false);
             }
             Some(Key::Angle | Key::LeftAngle | Key::RightAngle) => {
                 let angle = angle_of(&member.key, value);
                 let Some(angle) = angle else { return said.refuse(span, say!("The angle is code, which is not read")) };
-                let said_angle = Some(Said::new(angle, span.clone()));
-                match key {
-                    Some(Key::LeftAngle) => said.left = said_angle,
-                    Some(Key::RightAngle) => said.right = said_angle,
-                    // `alpha` beside `theta` is another angle.
-                    _ if said.angle.as_ref().is_some_and(|known| known.value != angle && is_vague(&member.key)) => {
-                        said.note(span, say!("`{}` is not carried over", member.key));
-                    }
-                    _ if said.angle.is_some() && value.number() == Some(0.0) => {
-                        said.note(span, say!("`{}` is not carried over", member.key));
-                    }
-                    _ if let Some(known) = said.angle.clone().filter(|known| known.value != angle) => {
-                        contradict(said, &known.span, &span);
-                    }
-                    _ => said.angle = said_angle,
+                if said.angle.is_some() && value.number() == Some(0.0) {
+                    said.note(span, say!("`{}` is not carried over", member.key));
+                } else {
+                    said.say_angle(key.unwrap_or(Key::Angle), &member.key, Said::new(angle, span));
                 }
             }
             Some(Key::Iterations) => match (value.number(), value.text()) {
@@ -131,6 +133,9 @@ impl Reader<'_> {
                 (None, Some(text)) => said.iterations = Some(Said::new(text.to_owned(), span)),
                 _ => said.note(span, say!("The number of iterations is code, which is not read")),
             },
+            Some(Key::Ignore) if let Some(symbols) = value.text() => {
+                said.lines.push(Said::new(format!("ignore: {symbols}"), span));
+            }
             Some(Key::LengthFactor) if value.number().is_some() => {
                 said.factor = value.number().map(|factor| Said::new(factor, span));
             }
@@ -183,13 +188,6 @@ pub(super) fn is_sure(key: &str) -> bool {
     key.to_ascii_lowercase().contains("axiom")
 }
 
-/// Refuses a system in which two statements contradict each other.
-pub(super) fn contradict(said: &mut Statements, first: &Range<usize>, second: &Range<usize>) {
-    let why = say!("Two statements contradict each other");
-    said.refuse(first.clone(), why.clone());
-    said.refuse(second.clone(), why);
-}
-
 /// The word of a value: a string, or a list of symbols.
 pub(super) fn word_of(value: &Value<'_>) -> Option<String> {
     match &value.what {
@@ -236,6 +234,31 @@ pub(super) fn angle_of(key: &str, value: &Value<'_>) -> Option<Angle> {
     }
 }
 
+/// The order and the contexts of the package lindenmayer: keys that are whole numbers come first, an earlier rule without a
+/// context hides later ones of its symbol, and contexts skip `+-&^/|\`.
+pub(super) fn lindenmayer(said: &mut Statements) {
+    lsystem_base::sorted::sort_by_key(&mut said.rules, |rule| rule.from.parse::<u32>().is_err());
+    let mut always: HashMap<String, String> = HashMap::new();
+    said.leave_out(EARLIER, |rule| {
+        let [left, symbol, right] = sides(&rule.from).map(str::trim);
+        let is_hidden = always.get(symbol).is_some_and(|from| *from != rule.from);
+        if !is_hidden && left.is_empty() && right.is_empty() {
+            always.insert(symbol.to_owned(), rule.from.clone());
+        }
+        is_hidden
+    });
+    let empty: Vec<Range<usize>> =
+        said.rules.iter().filter(|rule| rule.to.is_empty()).map(|rule| rule.span.clone()).collect();
+    for span in empty {
+        said.note(span, say!("Here this symbol vanishes; in the package lindenmayer it stays"));
+    }
+    let has_contexts = said.rules.iter().any(|rule| sides(&rule.from)[1] != rule.from);
+    said.lines.retain(|line| has_contexts || !line.value.starts_with("ignore:"));
+    if has_contexts && said.lines.is_empty() {
+        said.lines.push(Said::new("ignore: +-&^/|\\".to_owned(), 0..0));
+    }
+}
+
 /// Sets the heading, the angle and the symbols of lindsvg. Its y goes down.
 pub(super) fn lindsvg(said: &mut Statements, own: &[Member<'_>]) {
     let of = |key: &str| own.iter().rev().find(|member| member.key == key);
@@ -250,22 +273,17 @@ pub(super) fn lindsvg(said: &mut Statements, own: &[Member<'_>]) {
         Some((None, span)) => said.refuse(span, say!("The angle alpha is code, which is not read")),
         None => said.heading = Some(Said::new(0.0, 0..0)),
     }
-    match of("theta").map(|member| (degrees(member), member.span.clone())) {
-        Some((Some(theta), span)) => said.angle = Some(Said::new(Angle::Degrees(theta), span)),
-        Some((None, span)) => said.refuse(span, say!("The angle theta is code, which is not read")),
-        None => {}
-    }
-    if let Some(step) = of("step") {
-        said.note(step.span.clone(), say!("The length of a step changes only the size, which is fitted"));
+    if let Some(Said { value, .. }) = &mut said.angle
+        && let Angle::Unknown(number) = *value
+        && let Ok((degrees, _)) = crate::angle::by_value(number)
+    {
+        *value = Angle::Degrees(degrees);
     }
     if said.iterations.is_none() {
         said.iterations = Some(Said::new("3".to_owned(), 0..0));
     }
     said.symbols = Symbols::Said;
-    let meanings = [("F", "draw"), ("B", "move"), ("+", "turn right"), ("-", "turn left")];
-    for (symbol, actions) in meanings.into_iter().chain([("[", "open branch"), ("]", "close branch")]) {
-        said.mean(symbol.chars().next().unwrap_or_default(), actions, 0..0);
-    }
+    turtle("lindsvg").for_each(|(symbol, actions)| said.mean(symbol, actions, 0..0));
     // lindsvg drops letters without a rule at the next iteration.
     let words = said.rules.iter().map(|rule| &*rule.to).chain(said.axiom.iter().map(|axiom| &*axiom.value));
     let letters = lsystem_base::sorted::set(words.flat_map(str::chars));

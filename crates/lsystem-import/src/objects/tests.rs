@@ -17,17 +17,18 @@ fn packages() {
     check(
         "new LSystem({axiom: 'X', productions: {'X': 'F-X', 'A<B>C': 'D', 'F': {successors: [{weight: 50, successor: 'FF'}, {weight: 50, successor: 'F'}]}}, finals: {'+': () => { ctx.rotate((Math.PI/180) * 60) }, 'F': function() { ctx.fillRect(0, 0, 10, 40) }}})",
         expect![[r#"
-                a program
-                []
-                n 5, angle 60, heading 90, abop
-                  X
-                  X -> F-X
-                  A < B > C -> D
-                  F -> FF : 50
-                  F -> F : 50
-                  | -: turn left
-                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                note 1 "": The text gives no number of iterations; 5 is chosen by the size"#]],
+            a program
+            []
+            n 5, angle 60, heading 90, abop
+              X
+              ignore: +-&^/|\
+              X -> F-X
+              A<B>C -> D
+              F -> FF : 50
+              F -> F : 50
+              | -: turn left
+            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
+            note 1 "": The text gives no number of iterations; 5 is chosen by the size"#]],
     );
     check(
         "let lsParams = {\n  axiom: \"A---A\", // start\n  rules: {\n    F: \"F\",\n    A: \"B-F+Z+F-BA\",\n    Z: \"F-FF\"\n  },\n  alpha: 90 * Math.PI / 180,\n  theta: Math.PI / 3,\n  step: 15,\n  iterations: 7,\n};",

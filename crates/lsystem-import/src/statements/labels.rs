@@ -5,7 +5,7 @@ use super::{Label, QUOTES, Reader, Section};
 use crate::angle::{NoAngle, angle};
 use crate::assembly::{Angle, Said};
 use crate::rules::ARROWS;
-use crate::vocabulary::{Key, is_vague, letter_of};
+use crate::vocabulary::{Key, letter_of};
 use core::ops::Range;
 use lsystem_base::{decimal, say};
 
@@ -89,10 +89,6 @@ impl Reader<'_> {
                 self.cover(&(label.start..label.value));
                 self.region(&inner, Section::Meanings, true);
             }
-            Key::Angle if self.said.angle.is_some() && is_vague(&label.word) => {
-                let span = self.span(&whole);
-                self.said.note(span, say!("`{}` is not carried over", label.word));
-            }
             Key::Angle | Key::LeftAngle | Key::RightAngle => match self.angle(&text) {
                 Ok((degrees, radians, end)) => {
                     let span = self.span(&(label.start..inner.start + end));
@@ -101,20 +97,7 @@ impl Reader<'_> {
                     if radians && !text[..end].contains(['π', 'p', 'P', 'r']) {
                         self.said.note(span.clone(), say!("This angle is read as radians"));
                     }
-                    let known = match label.key {
-                        Key::LeftAngle => &mut self.said.left,
-                        Key::RightAngle => &mut self.said.right,
-                        _ => &mut self.said.angle,
-                    };
-                    match known {
-                        Some(known) if known.value != said.value => {
-                            let first = known.span.clone();
-                            let why = say!("Two statements contradict each other");
-                            self.said.refuse(first, why.clone());
-                            self.said.refuse(span, why);
-                        }
-                        _ => *known = Some(said),
-                    }
+                    self.said.say_angle(label.key, &label.word, said);
                     let rest = inner.start + end..value.end;
                     self.rest(&rest, is_last);
                 }

@@ -14,8 +14,9 @@ pub(super) fn label_at(text: &str, before: char) -> Option<(usize, Key, String, 
     let mut ends = Vec::new();
     let mut at = 0;
     for _ in 0..4 {
-        let word =
-            text[at..].find(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '’')).unwrap_or(text.len() - at);
+        let word = text[at..]
+            .find(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '’' | '\''))
+            .unwrap_or(text.len() - at);
         if word == 0 || word > 40 {
             break;
         }
@@ -52,8 +53,9 @@ pub(super) fn label_at(text: &str, before: char) -> Option<(usize, Key, String, 
             let value = value + text[value..].len() - text[value..].trim_start_matches(['*', ' ', '_', '\t']).len();
             // `A: ...` of a rule is no label; single letters are, where a number follows.
             let single = word.chars().count() == 1;
-            let number = text[value..]
-                .starts_with(|c: char| c.is_ascii_digit() || matches!(c, 'π' | '(' | '~' | '≈' | '-' | '.'));
+            // Not of the rule `N=-FY`.
+            let digits = text[value..].trim_start_matches(['-', '.', '(', '~', '≈', ' ']);
+            let number = digits.starts_with(|c: char| c.is_ascii_digit() || c == 'π');
             if single && !number && !matches!(word, "ω") {
                 continue;
             }
@@ -264,7 +266,9 @@ pub(super) fn successor(after: &str, opened: bool, more: bool, quoted: bool) -> 
     let mut end = 0;
     for (index, token) in all.iter().enumerate() {
         let own = &text[token.clone()];
-        let weight_follows = index > 0 && matches!(own, "with" | "probability" | "prob." | "prob" | "weight");
+        let is_weight = || weight(own.trim_matches(['(', ')'])).is_some();
+        let weight_follows =
+            index > 0 && (matches!(own, "with" | "probability" | "prob." | "prob" | "weight") || is_weight());
         if (is_language(own.trim_start_matches('('), 3)
             || own.starts_with('(') && is_prose(own)
             || matches!(own, "and" | "is" | "where" | "for" | "in" | "to" | "or"))
@@ -286,6 +290,8 @@ pub(super) fn successor(after: &str, opened: bool, more: bool, quoted: bool) -> 
         }
     }
     let word = text[..end].trim_end();
+    // A brace that only closes: `P = {F → FF}`.
+    let word = if word.contains('{') { word } else { word.trim_end_matches(['}', ' ']) };
     let cut = word.trim_end_matches([',', ';', '.']);
     let word = if cut.is_empty() {
         word
@@ -319,7 +325,8 @@ pub(super) fn weak(text: &str) -> Option<Weak> {
     }
     let rest = rest.trim_start_matches(['"', '\'', '`']).trim_start();
     let to = ["=", ":", ">"].iter().find_map(|sign| rest.strip_prefix(sign))?;
-    if to.starts_with(['=', '>']) {
+    // A call is no word: `t = Turtle()`.
+    if to.starts_with(['=', '>']) || to.contains("()") {
         return None;
     }
     let to = to.trim().trim_end_matches(',').trim_matches(['"', '\'', '`', '“', '”']);

@@ -2,21 +2,49 @@
 
 use super::{Unit, What};
 use crate::tokens::{Kind, Node};
+use crate::vocabulary::{Key, rows};
 
 /// A number, if the parts are arithmetic.
 pub(crate) fn arithmetic(part: &[Node]) -> What<'_> {
-    let mut sums = Sums { nodes: part, at: 0, unit: Unit::Unknown, depth: 0 };
+    let mut sums = Sums { nodes: part, at: 0, unit: Unit::Unknown, scale: 1.0, depth: 0, is_whole: true };
     match sums.sum() {
-        Some(value) if value.is_finite() && sums.at == part.len() => What::Number(value, sums.unit),
+        Some(value) if value.is_finite() && sums.at == part.len() => What::Number(value * sums.scale, sums.unit),
         _ => What::Code,
     }
+}
+
+/// The product at the start of parts, its unit, and the place behind it. Words that are no unit do not belong to it.
+pub(crate) fn leading(part: &[Node]) -> Option<(f64, Unit, usize)> {
+    let mut sums = Sums { nodes: part, at: 0, unit: Unit::Unknown, scale: 1.0, depth: 0, is_whole: false };
+    let value = sums.product().filter(|value| value.is_finite())?;
+    let last = part.get(sums.at.checked_sub(1)?)?;
+    let behind = match &last.kind {
+        Kind::Number(_, unit) if unit_of(unit).is_none() => unit.len(),
+        _ => 0,
+    };
+    Some((value * sums.scale, sums.unit, last.span.end - behind))
+}
+
+/// The unit that a word names, and what it is multiplied by.
+fn unit_of(word: &str) -> Option<(f64, Unit)> {
+    Some(match rows(word) {
+        _ if word == "°" || word == "º" => (1.0, Unit::Degrees),
+        found if found.has(Key::Degrees) => (1.0, Unit::Degrees),
+        found if found.has(Key::Radians) => (1.0, Unit::Radians),
+        found if found.has(Key::Turns) => (360.0, Unit::Degrees),
+        _ => return None,
+    })
 }
 
 struct Sums<'t> {
     nodes: &'t [Node],
     at: usize,
     unit: Unit,
+    /// What the unit multiplies the whole by.
+    scale: f64,
     depth: usize,
+    /// Whether every part must be arithmetic.
+    is_whole: bool,
 }
 
 impl Sums<'_> {
@@ -56,10 +84,10 @@ impl Sums<'_> {
         if self.depth > 24 {
             return None;
         }
-        let mut inner = Sums { nodes, at: 0, unit: Unit::Unknown, depth: self.depth + 1 };
+        let mut inner = Sums { nodes, at: 0, unit: Unit::Unknown, scale: 1.0, depth: self.depth + 1, is_whole: true };
         let value = inner.sum()?;
         if inner.unit != Unit::Unknown {
-            self.unit = inner.unit;
+            (self.unit, self.scale) = (inner.unit, inner.scale);
         }
         (inner.at == nodes.len()).then_some(value)
     }
@@ -79,21 +107,14 @@ impl Sums<'_> {
         self.at += 1;
         match &node.kind {
             Kind::Number(value, unit) => {
-                match unit.to_lowercase().trim_end_matches('.') {
-                    "" | "f" | "d" | "l" | "f32" | "f64" | "px" | "u32" | "i32" => {}
-                    "deg" | "degrees" | "degree" | "°" => self.unit = Unit::Degrees,
-                    "rad" | "radians" => self.unit = Unit::Radians,
-                    _ => return None,
-                }
-                if self.eat("°") {
-                    self.unit = Unit::Degrees;
-                }
-                // `90 Degree`
-                if let Some(name) = self.nodes.get(self.at).and_then(Node::name)
-                    && matches!(&*name.to_lowercase(), "deg" | "degree" | "degrees")
-                {
-                    self.at += 1;
-                    self.unit = Unit::Degrees;
+                let bare = matches!(&*unit.to_lowercase(), "" | "f" | "d" | "l" | "f32" | "f64" | "px" | "u32" | "i32");
+                // `25.7°`, `90 Degree`
+                let behind =
+                    self.nodes.get(self.at).and_then(|node| if node.is("°") { Some("°") } else { node.name() });
+                match unit_of(unit).or_else(|| unit_of(behind?).filter(|_| bare).inspect(|_| self.at += 1)) {
+                    Some(found) => (self.scale, self.unit) = found,
+                    None if !bare && self.is_whole => return None,
+                    None => {}
                 }
                 if self.eat("π") {
                     self.unit = Unit::Radians;
