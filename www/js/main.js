@@ -124,7 +124,8 @@ followPasting(dialogs);
 if (location.search === '?shared') void dialogs.open('shared');
 // Files that the installed page is asked to open.
 window.launchQueue?.setConsumer(async ({ files: [file] }) => file && dialogs.open('file', await file.getFile()));
-html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
+for (const part of /** @type {const} */ (['leaves', 'mathematics']))
+    html(part).addEventListener('toggle', () => void dialogs.open(part));
 if (/[#&]film=./.test(location.hash)) void dialogs.open('film', location.hash);
 engine.share(createMates(matesOn(navigator)));
 languageChoice();

@@ -583,6 +583,11 @@ rules: string, words: string,
 variant: number, };
 
 /**
+ * A change of one field after which a system draws something.
+ */
+export type Mend = { "iterations": number } | { "dialect": string };
+
+/**
  * A mistake with the numbers of the answers that have it.
  */
 export type MistakeReport = { words: string, answers: Array<number>, };
@@ -832,6 +837,10 @@ legend: Array<Legend>,
  * The reason why nothing is drawn.
  */
 empty: string | null, 
+/**
+ * The change after which something is drawn, if nothing is.
+ */
+mend: Mend | null, 
 /**
  * The picture's text alternative.
  */

@@ -16,6 +16,7 @@ import { createFinding } from './find/finding.js';
 import { createGallery } from './dialogs/gallery.js';
 import { createImporting } from './dialogs/importing.js';
 import { createKeeping } from './dialogs/keeping.js';
+import { createLeaves } from './dialogs/leaves.js';
 import { createProjector } from './dialogs/projector.js';
 import { createSave } from './save/save.js';
 import { createShare } from './dialogs/share.js';
@@ -30,6 +31,7 @@ export const PARTS = {
     breed: createBreed,
     seeds: createSeeds,
     surprise: createSurprise,
+    leaves: createLeaves,
     steps: createStepsDialog,
     mathematics: createMathematics,
     save: createSave,

@@ -23,6 +23,7 @@ export function createStandIn(standard, { isSilent = false, refuses = 0, throws 
               'cmi.completion_status': 'unknown',
               'cmi.success_status': 'unknown',
               'cmi.learner_id': 'student-1',
+              'cmi.learner_name': 'Muster, Anna',
               'cmi.entry': 'ab-initio',
               'cmi.mode': 'normal',
               'cmi.suspend_data': '',
@@ -34,6 +35,7 @@ export function createStandIn(standard, { isSilent = false, refuses = 0, throws 
         : {
               'cmi.core.lesson_status': 'not attempted',
               'cmi.core.student_id': 'student-1',
+              'cmi.core.student_name': 'Muster, Anna',
               'cmi.core.entry': 'ab-initio',
               'cmi.core.lesson_mode': 'normal',
               'cmi.suspend_data': '',

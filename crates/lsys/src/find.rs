@@ -28,6 +28,8 @@ const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 const MAX_AXIOMS: usize = 8;
 /// The most systems that are listed.
 const MAX_LISTED: usize = 10;
+/// The most words about what was searched.
+const MAX_WORDS: usize = 36;
 
 /// The result as JSON.
 #[derive(Serialize)]
@@ -42,6 +44,15 @@ struct Candidate {
     n: u32,
     rules: Vec<String>,
     symbols: usize,
+}
+
+/// The beginning of a long text, and where the rest is.
+fn short(searched: &str) -> String {
+    let words: Vec<&str> = searched.split(' ').take(MAX_WORDS + 1).collect();
+    match words.get(..MAX_WORDS) {
+        Some(first) if words.len() > MAX_WORDS => say!("{} … (all of it: --json)", first.join(" ")),
+        _ => searched.to_owned(),
+    }
 }
 
 impl Known {
@@ -143,7 +154,7 @@ fn find_string(text: &str, known: &Known, json: bool) -> Result<(), CommandFailu
                 writeln!(out, "{}\n  {told}\n", one.text())?;
             }
             let none = if found.is_empty() { format!("{} ", say!("Nothing found.")) } else { String::new() };
-            writeln!(out, "{none}{}", say!("Searched: {}.", searched))
+            writeln!(out, "{none}{}", say!("Searched: {}.", short(&searched)))
         }
     })?;
     if found.is_empty() { Err(CommandFailure::Said) } else { Ok(()) }

@@ -1,8 +1,10 @@
 //! Hints for wrong answers: what is probably wrong, found by trying.
 
+use crate::branches::{Branches, Joined, Sized};
 use crate::difference::{Difference, Kind};
 use crate::exercise::{Exercise, Given};
 use crate::mark::{Marker, counted};
+use crate::nudge::Nudge;
 use crate::repair::{Repair, unmatched};
 use crate::sketch::{Sketch, Sketching};
 use lsystem_base::words::shown;
@@ -39,6 +41,7 @@ impl Marker {
         self.turned(&own)
             .or_else(|| Some(say!("The brackets in the rule of {} do not match.", unmatched(&student.rules)?)))
             .or_else(|| Some(Repair::of(exercise, student, &mut meter)?.to_string()))
+            .or_else(|| self.wrong_number(student, &own, &mut meter))
             .or_else(|| self.other_size(&own, &whole))
             .or_else(|| self.other_heading(&whole, &mut meter))
             .or_else(|| self.other_generation(&whole, &mut meter))
@@ -139,6 +142,34 @@ impl Marker {
             sketch(&Definition { angle, ..whole.clone() }, meter).is_some_and(|other| self.looks_like(&other))
         });
         found.then(|| say!("The rules are right, but the angle is not."))
+    }
+
+    /// The number that is too large or too small, and what it does to the branches.
+    fn wrong_number(&self, student: &Definition, own: &Sketch, meter: &mut Meter) -> Option<String> {
+        let exercise = self.exercise();
+        let whole = exercise.complete(student);
+        let is_other = whole.angle != exercise.target.angle || whole.iterations != exercise.target.iterations;
+        if is_other || !self.has_numbers() {
+            return None;
+        }
+        let target = self.target().lists()?.0;
+        let Joined { right, length, is_every } = Branches::of(&own.lists()?.0, &target)?.first_difference()?;
+        let is_plane = target.iter().flatten().all(|point| point[2] == 0.0);
+        // In space one turn makes good for another.
+        let is_sure = length.is_some() || is_plane;
+        let nudge = is_sure.then(|| Nudge::of(exercise, student, &target, meter)).flatten();
+        let nudge = nudge.map(|nudge| nudge.to_string()).unwrap_or_default();
+        let subject = match (is_every, right) {
+            (true, _) => say!("Each branch"),
+            (_, 1) => say!("The first segment is right. The second"),
+            _ => say!("The first {} segments are right. The next", counted(&Tally::from(right as u128))),
+        };
+        let fault = match length {
+            Some(Sized::TooShort) => say!("{} is too short beside the one that carries it.", subject),
+            Some(Sized::TooLong) => say!("{} is too long beside the one that carries it.", subject),
+            None => say!("{} turns by another angle.", subject),
+        };
+        Some(format!("{fault} {nudge}").trim_end().to_owned())
     }
 
     /// The first segment that differs.

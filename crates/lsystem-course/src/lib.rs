@@ -17,6 +17,7 @@
 //! ```
 
 mod actions;
+mod branches;
 mod check;
 mod class;
 mod compiled;
@@ -28,6 +29,7 @@ mod graph;
 pub mod growth;
 mod hint;
 mod mark;
+mod nudge;
 mod page_words;
 mod repair;
 mod same;

@@ -1,5 +1,6 @@
 //! Marks of answers to exercises.
 
+use crate::branches::Branches;
 use crate::compiled::compiled;
 use crate::correspondence::draw_alike;
 use crate::exercise::{Asks, Exercise};
@@ -15,7 +16,7 @@ use lsystem_derive::Tally;
 use lsystem_drawing::expand;
 use lsystem_render::mask::Mask;
 use lsystem_render::{Renderer, View, Viewport, fit};
-use lsystem_syntax::{Definition, Diagnostic, Style};
+use lsystem_syntax::{Definition, Diagnostic, Style, parse};
 
 /// Pictures whose ink agrees less than this are different: equal ones differ by the rounding of pixels only.
 const SURELY_DIFFERENT: f64 = 0.98;
@@ -280,13 +281,35 @@ impl Marker {
                 // Drawings beyond the range of numbers show no ink, either.
                 let has_ink = is_same == Some(true) || !own.mask.is_empty();
                 let agreement = if has_ink { agreement } else { 0.0 };
-                let words = match is_same {
-                    Some(true) => self.same(&marking.whole),
-                    _ => say!("{} of the ink agrees.", shown(&percent(agreement))),
+                let ink = shown(&percent(agreement));
+                let (agreement, words) = match (is_same, self.branches(own)) {
+                    (Some(true), _) => (agreement, self.same(&marking.whole)),
+                    (_, Some(branches)) => {
+                        let shape = shown(&percent(branches));
+                        let words = say!("{} of the ink agrees, and {} of the lengths and turns.", ink, shape);
+                        (f64::midpoint(agreement, branches), words)
+                    }
+                    _ => (agreement, say!("{} of the ink agrees.", ink)),
                 };
                 self.marked(marking, own, agreement, is_same, words)
             }
         }
+    }
+
+    /// Whether the numbers of modules shape the target.
+    pub(crate) fn has_numbers(&self) -> bool {
+        let grammar = parse(&self.exercise.target.axiom, &self.exercise.target.rules).0;
+        grammar.productions.iter().any(|rule| !rule.predecessor.parameters.is_empty())
+    }
+
+    /// How much the branches agree where numbers shape them: ink alone does not tell which number is nearer. `None` if
+    /// ink decides, or if the branches do not correspond.
+    fn branches(&self, own: &Sketch) -> Option<f64> {
+        let is_small = |sketch: &Sketch| sketch.figure.check_size(MAX_COMPARED).is_ok();
+        if self.exercise.tolerance.is_some() || !self.has_numbers() || !is_small(own) || !is_small(&self.target) {
+            return None;
+        }
+        Some(Branches::of(&own.lists()?.0, &self.target.lists()?.0)?.agreement())
     }
 
     /// That an answer is right, and for which numbers of iterations it is right, too, if that is known.

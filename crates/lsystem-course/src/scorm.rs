@@ -183,10 +183,12 @@ fn page(
 /// A step with an exercise, which shows its title itself.
 fn step(number: usize, text: &str, exercise: &Exercise) -> String {
     let name = escaped(&name(exercise));
+    // The student's name decides on the variant.
+    let varied = if exercise.variants.is_empty() { "" } else { " data-varied" };
     format!(
         "<section class=\"step bare\" id=\"step-{number}\" aria-labelledby=\"h-{number}\">\n\
          <h2 id=\"h-{number}\">{number}. {name}</h2>\n\
-         <l-system class=\"task\" data-step=\"{number}\" caption=\"{name}\" link=\"#v=1&amp;x={text}&amp;hand=0\"></l-system>\n\
+         <l-system class=\"task\" data-step=\"{number}\"{varied} caption=\"{name}\" link=\"#v=1&amp;x={text}&amp;hand=0\"></l-system>\n\
          </section>\n"
     )
 }

@@ -10,6 +10,8 @@ const FRAME_WIDTH: f64 = 0.02;
 const SMALLEST_FRAME: u32 = 40;
 /// Parts beside the largest one are left out if they have less than this part of its ink.
 const SMALL: f64 = 0.02;
+/// Parts beside the largest one on a photographed page are left out if their box has less than this part of its area.
+const SMALL_BOX: f64 = 0.2;
 /// The most pixels of a speck, if the largest part has at least a thousand times as many.
 const SPECK: u32 = 6;
 /// The most runs of ink, at 40 bytes each. Drawings of lines have fewer: a thousand in each of 4,000 rows.
@@ -35,9 +37,20 @@ struct Part {
     at_sides: u32,
 }
 
+impl Part {
+    fn area(&self) -> u64 {
+        u64::from(self.right.saturating_sub(self.left)) * u64::from(self.bottom.saturating_sub(self.top))
+    }
+}
+
 /// The runs of ink that belong to the drawing; `None` if there are more than [`MAX_RUNS`] or if a side has more than
-/// 2^32 - 1 pixels.
-pub(crate) fn drawing(width: usize, height: usize, is_ink: impl Fn(usize, usize) -> bool) -> Option<Vec<Run>> {
+/// 2^32 - 1 pixels. On a page, the drawing is the largest piece of ink: words stand beside it.
+pub(crate) fn drawing(
+    width: usize,
+    height: usize,
+    is_page: bool,
+    is_ink: impl Fn(usize, usize) -> bool,
+) -> Option<Vec<Run>> {
     let size = [width, height].map(u32::try_from);
     let [Ok(width), Ok(height)] = size else { return None };
     let runs = runs(width, height, is_ink)?;
@@ -62,9 +75,8 @@ pub(crate) fn drawing(width: usize, height: usize, is_ink: impl Fn(usize, usize)
         let is_large = part.ink > 0 && (part.right - part.left).min(part.bottom - part.top) > SMALLEST_FRAME;
         is_large && f64::from(part.at_sides) >= f64::from(part.ink) * FRAME
     };
-    let Some(largest) =
-        parts.iter().filter(|part| part.ink > 0 && !is_frame(part)).max_by_key(|part| part.ink).copied()
-    else {
+    let size = |part: &&Part| if is_page { part.area() } else { u64::from(part.ink) };
+    let Some(largest) = parts.iter().filter(|part| part.ink > 0 && !is_frame(part)).max_by_key(size).copied() else {
         return Some(runs);
     };
     // A drawing that is a frame itself, such as a square, has nothing of its size inside.
@@ -77,9 +89,10 @@ pub(crate) fn drawing(width: usize, height: usize, is_ink: impl Fn(usize, usize)
             || part.left > largest.right
             || part.bottom < largest.top
             || part.top > largest.bottom;
-        let is_small = is_beside && f64::from(part.ink) < f64::from(largest.ink) * SMALL;
+        let is_small = f64::from(part.ink) < f64::from(largest.ink) * SMALL
+            || is_page && (part.area() as f64) < largest.area() as f64 * SMALL_BOX;
         let is_speck = part.ink <= SPECK && largest.ink >= 1000 * part.ink;
-        !is_frame(part) && !is_small && !is_speck
+        !is_frame(part) && !(is_beside && is_small) && !is_speck
     };
     let kept = runs.iter().zip(&owners).filter(|(_, owner)| is_kept(&parts[**owner as usize]));
     Some(kept.map(|(run, _)| *run).collect())
@@ -157,7 +170,7 @@ mod tests {
         }
         (60..63).for_each(|x| put(x, 170));
         let count = |ink: &[bool]| {
-            let runs = drawing(200, 200, |x, y| ink[y * 200 + x]).unwrap();
+            let runs = drawing(200, 200, false, |x, y| ink[y * 200 + x]).unwrap();
             (runs.iter().map(|run| run.right - run.left).sum::<u32>(), runs.iter().all(|run| run.y < 150))
         };
         let (own, is_alone) = count(&ink);
@@ -173,8 +186,25 @@ mod tests {
     }
 
     #[test]
+    fn on_a_page_the_words_beside_the_largest_piece_are_left_out() {
+        // A zigzag with bars for lines of words above and below it, which have more ink.
+        let zigzag = |x: usize, y: usize| (100..300).contains(&x) && (y == 100 + (x % 100).abs_diff(50));
+        let is_bar = |x: usize, y: usize| {
+            (60..340).contains(&x) && [30, 45, 200, 215].iter().any(|top| (*top..top + 8).contains(&y))
+        };
+        for (is_page, rows) in [(true, 100..151), (false, 30..223)] {
+            let runs = drawing(400, 260, is_page, |x, y| zigzag(x, y) || is_bar(x, y)).unwrap();
+            let (top, bottom) = (runs.iter().map(|run| run.y).min(), runs.iter().map(|run| run.y + 1).max());
+            assert_eq!((top, bottom), (Some(rows.start), Some(rows.end)));
+        }
+        // Two pieces of one size are one drawing.
+        let twins = drawing(400, 260, true, |x, y| zigzag(x, y) || zigzag(x, y.wrapping_sub(90))).unwrap();
+        assert!(twins.iter().any(|run| run.y > 190));
+    }
+
+    #[test]
     fn no_more_runs_are_held_than_drawings_have() {
-        assert!(drawing(8000, 8000, |x, _| x % 2 == 0).is_none());
-        assert_eq!(drawing(2000, 100, |x, _| x % 2 == 0).map(|runs| runs.len()), Some(100_000));
+        assert!(drawing(8000, 8000, false, |x, _| x % 2 == 0).is_none());
+        assert_eq!(drawing(2000, 100, false, |x, _| x % 2 == 0).map(|runs| runs.len()), Some(100_000));
     }
 }

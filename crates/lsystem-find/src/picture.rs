@@ -108,7 +108,7 @@ impl Picture {
         let is_dark = dark * 2 <= grey.len();
         let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
         let filled = word!("the picture is filled: no lines are seen in it");
-        let runs = drawing(width, height, is_ink).ok_or(filled)?;
+        let runs = drawing(width, height, false, is_ink).ok_or(filled)?;
         let mut own = vec![false; grey.len()];
         for run in &runs {
             own[run.y as usize * width..][run.left as usize..run.right as usize].fill(true);

@@ -75,8 +75,13 @@ pub fn judge(definition: &mut Definition, family: Family) -> Result<Merit, Rejec
 /// As [`judge`]; adds the units of work that the drawings took.
 pub(crate) fn judge_counted(definition: &mut Definition, family: Family, work: &mut u64) -> Result<Merit, Rejection> {
     let Ok(system) = System::new(definition) else { return Err(Rejection::Fails) };
-    // Drawings made symbol by symbol take longer.
-    let most = if matches!(family, Family::Chance | Family::Tree) { SEGMENTS / 2 } else { SEGMENTS };
+    let most = match family {
+        // Drawings made symbol by symbol take longer.
+        Family::Chance | Family::Tree => SEGMENTS / 2,
+        // Shorter segments would be hairlines.
+        Family::Curve | Family::Island => SEGMENTS / 4,
+        _ => SEGMENTS,
+    };
     let mut draw = |n: u32| {
         let mut drawer = Figure::drawer(&system, n, LIMITS);
         let progress = drawer.step(DRAWING_WORK);

@@ -22,4 +22,4 @@ pub use breed::breed;
 pub use family::Family;
 pub use judge::{LIMITS, Merit, Rejection, SEGMENTS, judge, lines};
 pub use moments::Moments;
-pub use surprise::{surprise, trial};
+pub use surprise::{READY, surprise, trial};

@@ -43,6 +43,43 @@ fn companded(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 }
 }
 
+/// The least contrast of a colour with the paper behind it.
+const CONTRAST: f64 = 4.0;
+/// The most steps towards white or black: enough for any colour on any paper.
+const STEPS: usize = 60;
+
+impl Palette {
+    /// Colours on paper: those with too little contrast become lighter on dark paper, and darker on light paper.
+    fn new(mut colours: Vec<Colour>, paper: Colour, hue: f64) -> Self {
+        let away = if luminance(paper) < 0.18 { 255.0 } else { 0.0 };
+        for colour in &mut colours {
+            for _ in 0..STEPS {
+                if contrast(*colour, paper) >= CONTRAST {
+                    break;
+                }
+                colour.rgb =
+                    colour.rgb.map(|part| libm::round(f64::from(part) + 0.04 * (away - f64::from(part))) as u8);
+            }
+        }
+        Self { colours, paper, hue }
+    }
+}
+
+/// The contrast of two colours as WCAG 2 defines it, from 1 to 21.
+fn contrast(a: Colour, b: Colour) -> f64 {
+    let [a, b] = [a, b].map(luminance);
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+fn luminance(colour: Colour) -> f64 {
+    let linear = |part: u8| {
+        let part = f64::from(part) / 255.0;
+        if part <= 0.040_45 { part / 12.92 } else { libm::pow((part + 0.055) / 1.055, 2.4) }
+    };
+    let [r, g, b] = colour.rgb.map(linear);
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
 /// Paper of a hue: dark, or light.
 fn paper(dice: &mut Dice, is_dark: bool, hue: f64) -> Colour {
     if is_dark {
@@ -66,7 +103,7 @@ pub(crate) fn gradient(dice: &mut Dice, steps: usize) -> Palette {
     });
     let colours = colours.collect();
     let aside = dice.one([0.0, 30.0, 180.0]);
-    Palette { colours, paper: paper(dice, is_dark, hue + aside), hue: hue + 0.4 * sweep }
+    Palette::new(colours, paper(dice, is_dark, hue + aside), hue + 0.4 * sweep)
 }
 
 /// One colour.
@@ -74,7 +111,7 @@ pub(crate) fn single(dice: &mut Dice) -> Palette {
     let is_dark = dice.chance(0.6);
     let hue = dice.between(0.0, 360.0);
     let [lightness, chroma] = if is_dark { [0.84, 0.1] } else { [0.42, 0.12] };
-    Palette { colours: vec![oklch(lightness, chroma, hue)], paper: paper(dice, is_dark, hue + 20.0), hue }
+    Palette::new(vec![oklch(lightness, chroma, hue)], paper(dice, is_dark, hue + 20.0), hue)
 }
 
 /// Wood, then `leaves` colours of leaves or blossoms.
@@ -91,7 +128,7 @@ pub(crate) fn plant(dice: &mut Dice, leaves: usize) -> Palette {
     // Warm white paper, or a night.
     let behind =
         if is_dark { dice.one([255.0, 215.0, 290.0, 170.0]) } else { dice.one([95.0, 95.0, 120.0, 250.0, 60.0]) };
-    Palette { colours, paper: paper(dice, is_dark, behind), hue }
+    Palette::new(colours, paper(dice, is_dark, behind), hue)
 }
 
 #[cfg(test)]
@@ -109,10 +146,6 @@ mod tests {
 
     #[test]
     fn strokes_stand_out_from_the_paper() {
-        let grey = |colour: &Colour| {
-            let [r, g, b] = colour.rgb.map(|part| libm::pow(f64::from(part) / 255.0, 2.2));
-            0.2126 * r + 0.7152 * g + 0.0722 * b
-        };
         let mut dice = Dice::new(1);
         for turn in 0..200 {
             let palette = match turn % 3 {
@@ -120,11 +153,9 @@ mod tests {
                 1 => single(&mut dice),
                 _ => plant(&mut dice, 3),
             };
-            let paper = grey(&palette.paper);
             for colour in &palette.colours {
-                let (light, dark) = (grey(colour).max(paper), grey(colour).min(paper));
-                let contrast = (light + 0.05) / (dark + 0.05);
-                assert!(contrast > 2.0, "{colour:?} on {:?}: {contrast:.2}", palette.paper);
+                let contrast = contrast(*colour, palette.paper);
+                assert!(contrast >= CONTRAST, "{colour:?} on {:?}: {contrast:.2}", palette.paper);
             }
         }
     }

@@ -3,7 +3,7 @@
 use lsystem::base::words::said;
 use lsystem::drawing::{kind, legend, why_empty};
 pub use lsystem::syntax::Problem;
-use lsystem::{Figure, Style, System, fit};
+use lsystem::{Definition, Dialect, Figure, Style, System, fit};
 use serde::Serialize;
 use ts_rs::TS;
 
@@ -42,8 +42,34 @@ pub struct Report {
     pub legend: Vec<Legend>,
     /// The reason why nothing is drawn.
     pub empty: Option<String>,
+    /// The change after which something is drawn, if nothing is.
+    pub mend: Option<Mend>,
     /// The picture's text alternative.
     pub description: String,
+}
+
+/// A change of one field after which a system draws something.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[serde(rename_all = "camelCase")]
+pub enum Mend {
+    Iterations(u32),
+    /// The name of a dialect.
+    Dialect(&'static str),
+}
+
+impl Mend {
+    /// The most iterations that are tried.
+    const MOST: u32 = 9;
+
+    fn of(system: &System, definition: &Definition) -> Option<Self> {
+        let draws = |system: &System, n: u32| why_empty(system, n).is_none();
+        let mut tried = (1..=Self::MOST).chain([0]);
+        tried.find(|n| draws(system, *n)).map(Self::Iterations).or_else(|| {
+            let dialect = Dialect::EveryLetter;
+            let every_letter = System::new(&Definition { dialect, ..definition.clone() }).ok()?;
+            draws(&every_letter, definition.iterations).then_some(Self::Dialect(dialect.name()))
+        })
+    }
 }
 
 /// The fields of a style that an automatic look chooses.
@@ -88,13 +114,14 @@ impl Report {
     }
 
     /// What is known of a system before it is drawn.
-    pub(crate) fn of(system: &System, n: u32, diagnostics: Vec<Problem>) -> Self {
+    pub(crate) fn of(system: &System, definition: &Definition, diagnostics: Vec<Problem>) -> Self {
         let legend = legend(system).into_iter().map(|entry| Legend {
             symbol: entry.module,
             actions: entry.actions,
             idle: entry.idle,
             rewritten: entry.rewritten,
         });
+        let empty = why_empty(system, definition.iterations);
         Self {
             ok: true,
             diagnostics,
@@ -104,7 +131,8 @@ impl Report {
             branches: system.has_branches(),
             look: ChosenLook::of(system),
             legend: legend.collect(),
-            empty: why_empty(system, n),
+            mend: empty.as_ref().and_then(|_| Mend::of(system, definition)),
+            empty,
             ..Self::default()
         }
     }

@@ -115,7 +115,7 @@ impl<S: Screen> Session<S> {
             && (self.system.as_ref()).is_some_and(|former| {
                 former.seed == system.seed && former.rules == system.rules && former.turtle == system.turtle
             });
-        let known = Report::of(&system, n, diagnostics);
+        let known = Report::of(&system, &definition, diagnostics);
         if same_drawing && (!self.built() || self.shown.is_some()) {
             self.report = known.keep_drawing(core::mem::take(&mut self.report));
             if let Some(figure) = self.shown.as_ref().filter(|_| self.built()) {

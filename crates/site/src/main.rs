@@ -1,8 +1,8 @@
 //! Files of the built page that the core makes. A program of its own, so that `cargo xtask` starts without compiling
 //! the core, and the core is compiled natively while it is compiled for the page.
 //!
-//! - `site systems ROOT SITE` reads the repository ROOT, writes `gallery.json` and `exercises.json` into the folder
-//!   SITE, and completes links to exercises in `course.html` there.
+//! - `site systems ROOT SITE` reads the repository ROOT, writes the JSON files of systems into the folder SITE,
+//!   and completes links to exercises in `course.html` there.
 //! - `site words ROOT SITE` writes the catalogues of the languages into SITE, without the texts that the pages there
 //!   do not show. All other files must be in SITE.
 //! - `site documents ROOT SITE` writes the pages of `docs/`, in English and in the languages of `www/lang`. All other
@@ -17,7 +17,7 @@ mod language;
 
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
-use lsystem::course::words_in;
+use lsystem::{course::words_in, invent};
 use std::path::{Path, PathBuf};
 use walkdir::{DirEntry, WalkDir};
 
@@ -63,8 +63,7 @@ fn catalogues(root: &Path, site: &Path) -> Result<()> {
     let files = WalkDir::new(site).into_iter().filter_entry(of_page).collect::<walkdir::Result<Vec<_>>>()?;
     let files = files.iter().filter(|entry| entry.file_type().is_file()).map(|entry| fs::read(entry.path()));
     // Links have the texts of exercises, and not as they are.
-    let exercises = std::iter::once(fs::read(root.join("www/exercises.json")));
-    let files = files.chain(exercises).collect::<std::io::Result<Vec<_>>>()?;
+    let files = files.chain([fs::read(root.join("www/exercises.json"))]).collect::<std::io::Result<Vec<_>>>()?;
     let files: Vec<_> = files.iter().map(Vec::as_slice).collect();
     // Few visits need the words of programs.
     let program = fs::read(site.join("program.html"))?;
@@ -83,6 +82,8 @@ fn catalogues(root: &Path, site: &Path) -> Result<()> {
 fn systems(root: &Path, site: &Path) -> Result<()> {
     let gallery = gallery::gallery(&root.join("data_in"))?;
     fs::write(site.join("gallery.json"), gallery.to_string())?;
+    let surprises = invent::READY.map(|seed| invent::surprise(seed).0);
+    fs::write(site.join("surprises.json"), serde_json::to_string(&surprises[..])?)?;
     let exercises = exercises::exercises(&root.join("www/exercises.json"), &gallery)?;
     fs::write(site.join("exercises.json"), serde_json::to_string(&exercises)?)?;
     let lesson = site.join("course.html");

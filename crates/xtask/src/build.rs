@@ -114,7 +114,8 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
     // These pages become single files, with the files that they would fetch inside.
     let of = |name: &str| vec![format!("{name}.js"), format!("{name}.wasm")];
     let engine = || vec!["worker.js".to_owned(), "lsystem.wasm".to_owned(), split::REST.to_owned()];
-    let all = [engine(), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
+    let all = [engine(), of("tools"), ["gallery.json", "exercises.json", "surprises.json"].map(str::to_owned).to_vec()]
+        .concat();
     let marking = [engine(), of("course"), vec!["exercises.json".to_owned()]].concat();
     let (drawing, playing) = (engine(), of("film"));
     let maker = &one_file::Maker { site, bundler: &esbuild };

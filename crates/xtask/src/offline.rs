@@ -20,7 +20,7 @@ const FIRST: [&str; 6] =
     ["page.css", "js/early.js", "worker.js", "lsystem.wasm", "icons/icon.svg", "manifest.webmanifest"];
 
 /// What the page fetches after the first picture, without being asked.
-const SOON: [&str; 1] = [split::REST];
+const SOON: [&str; 2] = [split::REST, "surprises.json"];
 
 /// Completes the service worker in the folder of the site. All other files must be in place. `scripts` are those that the
 /// page runs from the start.

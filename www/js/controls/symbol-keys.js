@@ -4,7 +4,7 @@ import { byId, html, make } from '../base/dom.js';
 import { say } from '../base/words.js';
 
 /** What the keys write. */
-const KEYS = ['F', 'X', '+', '-', '[', ']', '->', '(', ')', '|', '&', '^', '!', "'"];
+const KEYS = ['F', 'X', 'L', '+', '-', '[', ']', '->', '(', ')', '|', '&', '^', '!', "'"];
 
 /** @param {string[]} ids the text areas */
 export function symbolKeys(ids) {

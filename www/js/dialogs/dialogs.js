@@ -68,13 +68,14 @@ export function createDialogs(own) {
 
     /** @template {keyof Parts} K @param {K} name @param {Parameters<Parts[K]['open']>} words */
     async function open(name, ...words) {
-        document.documentElement.toggleAttribute('data-opening', (coming += 1) > 0);
+        coming += 1;
+        document.documentElement.dataset.opening = name;
         try {
             const opens = /** @type {((...words: any[]) => unknown) | undefined} */ ((await part(name))?.open);
             // Only until it is on the page: some parts answer when they are closed.
             void opens?.(...words);
         } finally {
-            document.documentElement.toggleAttribute('data-opening', (coming -= 1) > 0);
+            if (--coming === 0) delete document.documentElement.dataset.opening;
         }
     }
 

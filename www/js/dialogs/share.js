@@ -2,7 +2,7 @@
 
 import { addressOf } from '../base/files.js';
 import styles from '../../css/share.css';
-import { copies, copyKeys } from '../base/copy.js';
+import { copies } from '../base/copy.js';
 import { download, fileName } from '../base/download.js';
 import { button, byId, closes, html, input, isTouch, setChoice, setText, setValue } from '../base/dom.js';
 import { addElements } from '../base/late.js';
@@ -112,12 +112,7 @@ export function createShare(page) {
 
     closes(dialog, 'close-share');
 
-    return {
-        open: () => open(self),
-
-        /** Opens the dialog with the link selected, for the reader to copy. */
-        select: () => select(self),
-    };
+    return { open: () => open(self) };
 }
 
 /** The state to share. @param {Sharing} self */
@@ -252,12 +247,4 @@ function open(self) {
     self.dialog.showModal();
     button('copy-share').focus();
     return refresh(self);
-}
-
-/** @param {Sharing} self */
-async function select(self) {
-    await open(self);
-    self.link.focus();
-    self.link.select();
-    tell(self, say`The browser refuses clipboard access. The link is selected: press ${copyKeys()} to copy.`, true);
 }

@@ -31,28 +31,15 @@ const partOf = ({ id, time, mark, fields }) => ({ id: id.replace(/ .*/, ''), tim
 const runIn = (/** @type {Kept[]} */ list) => list.find((row) => row.id === 'run')?.run ?? 0;
 const atIn = (/** @type {Kept[]} */ list) => Number(list.find((row) => row.id === 'at')?.mark ?? 0);
 
-/** Reads what this browser keeps, also from before each attempt had rows, and from before there were any. @param {unknown} stored */
-function readKept(stored) {
-    if (Array.isArray(stored))
-        return stored
-            .filter(
-                (row) =>
-                    typeof row?.id === 'string' &&
-                    Number.isInteger(row.run) &&
-                    typeof row.fields === 'string' &&
-                    (row.mark === 'solved' || Number.isFinite(row.mark)),
-            )
-            .map((row) => {
-                const [, old, key] = /^(old )?([\da-f]{8}|own)$/.exec(row.id) ?? [];
-                return key ? { ...row, ...rowOf({ ...row, id: key }, old ? NONE : row.run) } : row;
-            });
-    const { text, rest, isSent } = /** @type {any} */ (stored ?? {});
-    const [parts, old] = [text, rest].map((one) => readAttempt(String(one))?.parts ?? []);
-    return [
-        ...(parts ?? []).map((part) => ({ ...rowOf(part, 0), ...(isSent === true ? { sent: true } : {}) })),
-        ...(old ?? []).map((part) => rowOf(part, NONE)),
-    ];
-}
+/** Reads what this browser keeps. @param {unknown} stored @returns {Kept[]} */
+const readKept = (stored) =>
+    (Array.isArray(stored) ? stored : []).filter(
+        (row) =>
+            typeof row?.id === 'string' &&
+            Number.isInteger(row.run) &&
+            typeof row.fields === 'string' &&
+            (row.mark === 'solved' || Number.isFinite(row.mark)),
+    );
 
 /**
  * @param {object} given
@@ -70,8 +57,8 @@ export function createAnswers({ id, keys, scorm, storage, tab }, heard) {
     let [at, run] = [0, 0];
     /** The keys of steps that the student changed in this visit. @type {Set<string>} */
     const touched = new Set();
-    /** The student by the learning system; empty if it is not open. */
-    let student = '';
+    /** The student's number and name by the learning system; empty if it is not open. */
+    let [student, name] = ['', ''];
     /** Whether the learning system takes answers, and whether it had the exercises as passed. */
     let [isGraded, wasPassed, isKept] = [false, false, true];
     /** Answers of this tab from a time without the learning system. @type {Kept[]} */
@@ -128,6 +115,10 @@ export function createAnswers({ id, keys, scorm, storage, tab }, heard) {
             const better = (/** @type {Part} */ part) => weightOf(part) > weightOf(parts.get(part.id) ?? {});
             return joined([...old, ...nobody].map(partOf), weightOf).filter((part) => part.fields && better(part));
         },
+        /** Name and number in one text, which decides on variants. */
+        get by() {
+            return [name, name && student ? `(${student})` : student].filter(Boolean).join(' ');
+        },
         get isGraded() {
             return isGraded;
         },
@@ -145,7 +136,7 @@ export function createAnswers({ id, keys, scorm, storage, tab }, heard) {
         /** What the learning system knows, once it is open, and what only this browser knows. */
         signIn() {
             const { state, ...known } = scorm.read();
-            ({ isGraded, isPassed: wasPassed, student } = known);
+            ({ isGraded, isPassed: wasPassed, student, name } = known);
             const there = readAttempt(state);
             // Answers of nobody belong to whoever made them in this tab, and to no other name.
             const nobodys = rows;

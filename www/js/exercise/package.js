@@ -105,6 +105,12 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     function opened() {
         wait = FIRST_WAIT;
         answers.signIn();
+        const by = encodeURIComponent(answers.by);
+        for (const [index, task] of tasks.entries()) {
+            if (task.dataset['varied'] === undefined || by === '' || answers.touched.has(keys[index] ?? '')) continue;
+            links[index] += `&by=${by}`;
+            task.setAttribute('link', links[index] ?? '');
+        }
         show();
         if (!answers.isGraded) return tell(PREVIEW);
         tell(answers.earlier.length > 0 ? EARLIER : '', { offers: true });

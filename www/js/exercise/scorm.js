@@ -22,6 +22,7 @@ const STATE = 'cmi.suspend_data';
  * @property {string} core
  * @property {number} longest of a state
  * @property {string} student
+ * @property {string} name of the student
  * @property {string} mode
  * @property {string} status
  * @property {string} success what `status` is once the exercises are passed
@@ -44,6 +45,7 @@ const SCORM12 = {
     core: 'cmi.core.',
     longest: 4096,
     student: 'student_id',
+    name: 'student_name',
     mode: 'lesson_mode',
     status: 'lesson_status',
     success: 'passed',
@@ -58,6 +60,7 @@ const SCORM2004 = {
     core: 'cmi.',
     longest: 64_000,
     student: 'learner_id',
+    name: 'learner_name',
     mode: 'mode',
     status: 'completion_status',
     success: 'completed',
@@ -161,6 +164,7 @@ export function createScorm(standard, { from = window, now = () => performance.n
         read: () => ({
             state: state(),
             student: read(core + names.student).slice(0, LONGEST_WORDS),
+            name: read(core + names.name).slice(0, LONGEST_WORDS),
             isGraded: !['browse', 'review'].includes(read(core + names.mode)),
             isPassed: read(core + names.status) === names.success,
         }),

@@ -65,8 +65,9 @@ export function createSteps(keep) {
         if (task.classList.contains('own'))
             task.addEventListener('change', (event) => detail(event).by === 'visitor' && done(at));
     }
-    document.body.classList.toggle('alone', steps.length === 1);
-    standBeside(tasks);
+    const isAlone = steps.length === 1;
+    document.body.classList.toggle('alone', isAlone);
+    fillWindow(tasks, isAlone);
 
     return {
         tasks,
@@ -96,16 +97,20 @@ function newLink(step, isRead) {
     return link;
 }
 
-/** In a wide window, tasks stand beside the text, as high as the window: all of them is in sight. @param {HTMLElement[]} tasks */
-function standBeside(tasks) {
-    if (!matchMedia('(min-width: 62rem) and (min-height: 34rem)').matches) return;
-    document.body.classList.add('beside');
+/**
+ * Tasks are as high as the window, so that all of them is in sight: one alone, and those beside the text of a wide window.
+ * @param {HTMLElement[]} tasks
+ * @param {boolean} isAlone
+ */
+function fillWindow(tasks, isAlone) {
+    if (!isAlone && !matchMedia('(min-width: 62rem) and (min-height: 34rem)').matches) return;
+    if (!isAlone) document.body.classList.add('beside');
     for (const task of tasks)
         if (task.classList.contains('task')) task.setAttribute('link', `${task.getAttribute('link') ?? '#v=1'}&fill=1`);
 }
 
-/** @param {number} at @param {number} count */
+/** An exercise alone says itself that it is solved. @param {number} at @param {number} count */
 function doneWords(at, count) {
-    if (at < count - 1) return say`Done. On to the next step.`;
-    return count === 1 ? say`Done.` : say`Done. This was the last step.`;
+    if (count === 1) return '';
+    return at < count - 1 ? say`Done. On to the next step.` : say`Done. This was the last step.`;
 }

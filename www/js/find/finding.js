@@ -209,8 +209,7 @@ async function run(self, work) {
         self.running = null;
         // What was found stays; the search cannot go on.
         if (self.report) progress(self, (self.report = { ...self.report, isMore: false }));
-        if (!(error instanceof Cancelled) && !self.report?.candidates.some(({ isFound }) => isFound))
-            problem(sentence(error));
+        if (!(error instanceof Cancelled) && !self.report?.candidates.length) problem(sentence(error));
     }
     showActs(self);
     if (document.activeElement === document.body) button(self.report?.isMore ? 'find-longer' : 'find-start').focus();

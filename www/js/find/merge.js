@@ -9,6 +9,9 @@ import { counted, say } from '../base/words.js';
 /** The most systems that are shown; the engine keeps as many. */
 const MOST = 20;
 
+/** Systems that are no answer are shown from this agreement on. */
+const LEAST = 0.5;
+
 /** Whether a candidate draws the same picture: the skeletons agree, and nothing is left over. @param {Candidate} candidate */
 export const isSame = ({ agreement }) => agreement >= 1;
 
@@ -37,12 +40,24 @@ export function merged(reports) {
         all.set(candidate.key, { ...better, name: other.name ?? candidate.name, rank });
     }
     const isFound = [...all.values()].some((candidate) => candidate.isFound);
-    const candidates = [...all.values()]
-        .filter((candidate) => candidate.isFound || !isFound)
-        .sort(order)
-        .slice(0, MOST);
+    const kept = [...all.values()].filter((one) => one.isFound || (!isFound && one.agreement >= LEAST));
+    const candidates = answers(kept.sort(order)).slice(0, MOST);
     const slowest = reports.reduce((a, b) => (b.work < a.work ? b : a));
     return { candidates, searched: slowest.searched, work: slowest.work, isMore: reports.some(({ isMore }) => isMore) };
+}
+
+/** One answer for each rule: the best of its candidates, with all iterations that are as good. @param {Candidate[]} candidates */
+function answers(candidates) {
+    /** @type {Map<string, Candidate & {n?: number[]}>} */
+    const groups = new Map();
+    for (const candidate of candidates) {
+        const { axiom, rules, overrides, angle, iterations } = candidate.definition;
+        const key = JSON.stringify([axiom, rules, overrides, candidate.isFound && angle]);
+        const best = groups.get(key);
+        if (!best) groups.set(key, { ...candidate });
+        else if (isSame(best) && isSame(candidate)) best.n = [...(best.n ?? [best.definition.iterations]), iterations];
+    }
+    return [...groups.values()];
 }
 
 /** An agreement in percent, rounded down: what is not the same is never called 100 %. @param {number} agreement */

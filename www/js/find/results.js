@@ -12,25 +12,27 @@ import { isSame, percent, verdict } from './merge.js';
 
 /** The side of a picture, in CSS pixels. */
 const SIDE = 168;
+/** The most words of what was searched that are in sight. */
+const MOST_WORDS = 38;
 /** The margin of differences, in their pixels. */
 const MARGIN = 5;
 
 /**
  * A card of a candidate: its picture, its agreement and its rules, with a button that opens it.
- * @param {Candidate} candidate
+ * @param {Candidate & {n?: number[]}} candidate
  * @param {{engine: import('../engine/engine.js').Engine, restyle: (definition: import('../state/state.js').Definition) => import('../state/state.js').Definition, open?: (candidate: Candidate) => void, told?: string, compared?: (definition: import('../state/state.js').Definition) => Promise<Uint8Array | null>}} page
  *   without `open` there is no button; `told` stands for the agreement; with `compared` the differences from the searched
  *   picture are shown in two colours, if there are any
  */
 export function candidateCard(candidate, { engine, restyle, open, told, compared }) {
-    const { definition, agreement, symbols } = candidate;
+    const { definition, agreement, symbols, n = [] } = candidate;
     const styled = restyle(definition);
     const picture = emptyThumb();
     picture.style.background = styled.background;
     const { axiom, iterations, angle, overrides, heading } = definition;
     const facts = [
         say`axiom ${axiom}`,
-        `n = ${iterations}`,
+        n.length > 1 ? say`n = ${Math.min(...n)} to ${Math.max(...n)}` : `n = ${iterations}`,
         `${angle}°`,
         heading === 90 ? '' : say`heading ${String(heading)}°`,
         overrides.replaceAll('\n', ', '),
@@ -86,6 +88,15 @@ function differencesOf(codes) {
     return canvas;
 }
 
+/** The first words of what was searched; the rest unfolds. @param {string} text */
+function showSearched(text) {
+    const words = text.split(' ');
+    const isLong = words.length > MOST_WORDS;
+    setText(html('find-searched'), isLong ? `${words.slice(0, MOST_WORDS).join(' ')} …` : text);
+    html('find-all').hidden = !isLong;
+    setText(html('find-all-searched'), isLong ? text : '');
+}
+
 /** How much was searched. @param {FindReport} report @param {boolean} isString */
 export const workWords = ({ work }, isString) =>
     isString
@@ -103,11 +114,13 @@ export function createResults(page) {
         show(report, { isString, isRunning }) {
             const old = cards;
             cards = new Map(
-                report.candidates.map((candidate) => [
-                    candidate.key,
-                    old.get(candidate.key) ??
-                        candidateCard(candidate, isString ? { ...page, told: say`derives it` } : page),
-                ]),
+                report.candidates.map((candidate) => {
+                    const key = JSON.stringify(candidate);
+                    return [
+                        key,
+                        old.get(key) ?? candidateCard(candidate, isString ? { ...page, told: say`derives it` } : page),
+                    ];
+                }),
             );
             const order = [...cards.values()];
             if (order.length !== list.children.length || order.some((card, at) => list.children[at] !== card))
@@ -122,10 +135,7 @@ export function createResults(page) {
             setText(html('find-verdict'), so);
             html('find-verdict').classList.toggle('found', report.candidates.some(isSame));
             html('find-legend').hidden = isString || report.candidates.every(isSame);
-            setText(
-                html('find-searched'),
-                isRunning ? say`Searched so far: ${report.searched}.` : say`Searched: ${report.searched}.`,
-            );
+            showSearched(isRunning ? say`Searched so far: ${report.searched}.` : say`Searched: ${report.searched}.`);
             setText(
                 html('find-advice'),
                 isRunning || report.candidates.some(isSame)
@@ -143,7 +153,8 @@ export function createResults(page) {
         clear() {
             cards = new Map();
             list.replaceChildren();
-            for (const id of ['find-verdict', 'find-searched', 'find-advice']) setText(html(id), '');
+            for (const id of ['find-verdict', 'find-advice']) setText(html(id), '');
+            showSearched('');
         },
     };
 }

@@ -1,11 +1,6 @@
-/** The Save section: title, link, files, and opening files. */
+/** The Save section: title, files, and opening files. */
 
-import { addressOf } from '../base/files.js';
-import { toast } from '../base/announce.js';
-import { copyText } from '../base/copy.js';
 import { button, byId, input, setValue } from '../base/dom.js';
-import { bestLink } from '../state/packed.js';
-import { say } from '../base/words.js';
 
 /**
  * @param {import('../state/store.js').Store} store
@@ -19,12 +14,6 @@ export function savePanel(store, dialogs) {
     title.addEventListener('blur', () => store.settle());
     store.subscribe(showTitle);
     showTitle();
-
-    button('copy-link').addEventListener('click', async () => {
-        const address = addressOf(await bestLink(store.state));
-        if (await copyText(address)) toast(say`Link copied`);
-        else await (await dialogs.part('share'))?.select();
-    });
 
     for (const format of /** @type {const} */ (['svg', 'png'])) {
         const save = byId('section-save', HTMLElement).querySelector(`[data-save=${format}]`);

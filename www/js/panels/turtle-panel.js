@@ -10,6 +10,7 @@ import { say } from '../base/words.js';
 
 /** @typedef {import('../engine/engine.js').Report} Report */
 /** @typedef {import('../state/state.js').FieldName} FieldName */
+/** @typedef {import('../state/state.js').State} State */
 
 /** @param {import('../state/store.js').Store} store */
 export function turtlePanel(store) {
@@ -39,7 +40,9 @@ export function turtlePanel(store) {
         showRight(rollRight, rollLeft ?? angle);
     }
 
-    button('letters-draw').addEventListener('click', () => store.change({ dialect: 'every-letter' }, ''));
+    /** What makes an empty drawing draw. @type {Report['mend']} */
+    let mend = null;
+    button('mend').addEventListener('click', () => mend && store.change(/** @type {Partial<State>} */ (mend), ''));
 
     /** A key for each row of the legend, so that unchanged rows are not updated. @type {string[]} */
     let shownKeys = [];
@@ -80,6 +83,10 @@ export function turtlePanel(store) {
             showSpace(store.state);
             showLegend(legend);
             showHint(store, legend);
+            ({ mend } = report);
+            button('mend').hidden = !mend;
+            const n = mend && 'iterations' in mend ? mend.iterations : null;
+            setText(button('mend'), n === null ? say`Let every letter draw` : say`Show generation ${n}`);
         },
     };
 }
@@ -133,7 +140,7 @@ function showHint(store, legend) {
     html('legend-hint').hidden = silent.length === 0 || store.state.dialect === 'every-letter';
     const [names, last = ''] = [silent.slice(0, -1).join(', '), silent.at(-1)];
     setText(
-        html('legend-silent'),
+        html('legend-hint'),
         names
             ? say`${names} and ${last} draw nothing (course assignments: every letter draws).`
             : say`${last} draws nothing (course assignments: every letter draws).`,

@@ -15,17 +15,11 @@ import { counted, say } from '../base/words.js';
 /** The key in the storage. */
 const KEY = 'save';
 
-/** A row of the dialog that is no format of the table: a dialog of its own, opened by `open`. @typedef {{name: string, purposes: readonly Purpose[], label: string, help: string, action: string, open: () => void}} CustomRow */
-/** A format or a custom row. @typedef {{name: string, purposes: readonly Purpose[], label: string, help: string}} Row */
+/** A format. @typedef {{name: Format, purposes: readonly Purpose[], label: string, help: string}} Row */
 
-/**
- * The purposes that have rows, in the order of the table, with their rows.
- * @param {readonly CustomRow[]} custom
- * @returns {{purpose: Purpose, label: string, rows: Row[]}[]}
- */
-export function groupsOf(custom) {
-    const formats = Object.entries(FORMATS).map(([name, format]) => ({ ...format, name }));
-    const rows = /** @type {Row[]} */ ([...formats, ...custom]);
+/** The purposes that have rows, in the order of the table, with their rows. @returns {{purpose: Purpose, label: string, rows: Row[]}[]} */
+export function groupsOf() {
+    const rows = /** @type {Row[]} */ (Object.entries(FORMATS).map(([name, format]) => ({ ...format, name })));
     const purposes = /** @type {[Purpose, string][]} */ (Object.entries(PURPOSES));
     return purposes
         .map(([purpose, label]) => ({ purpose, label, rows: rows.filter((row) => row.purposes.includes(purpose)) }))
@@ -156,9 +150,9 @@ export function sizeWords(bytes) {
     return power === 1 ? say`${text} kB` : power === 2 ? say`${text} MB` : say`${text} GB`;
 }
 
-/** The choices of the last time, as far as the browser stores them. @param {import('../state/storage.js').SafeStorage} storage @param {readonly CustomRow[]} custom */
-export function rememberedChoices(storage, custom) {
-    const groups = groupsOf(custom);
+/** The choices of the last time, as far as the browser stores them. @param {import('../state/storage.js').SafeStorage} storage */
+export function rememberedChoices(storage) {
+    const groups = groupsOf();
     const choices = choicesFrom(undefined, groups);
     const settings = createSettings(storage, KEY, take);
     function take() {

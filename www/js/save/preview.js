@@ -78,15 +78,6 @@ export function createPreview(frame, { shown, fitted }) {
             put(self, sheetWith(self, { sheet: sides.join('x'), margin: 0 }));
         },
 
-        /** Shows the drawing. */
-        showDrawing() {
-            frame.classList.remove('clear');
-            put(
-                self,
-                shown().then((blob) => imageOf(self, blob)),
-            );
-        },
-
         forget() {
             self.last += 1;
             frame.replaceChildren();

@@ -1,9 +1,6 @@
 /**
  * The save dialog: what a file is for, its format and options, a preview, and the size. The file is made in the
  * background while the reader chooses.
- *
- * A purpose may have rows beside the formats of the table, for dialogs of their own: `custom` lists them, and Save
- * opens them. So the dialog for films appears under Film.
  */
 
 import styles from '../../css/saving.css';
@@ -21,6 +18,7 @@ import { createPreview } from './preview.js';
 import markup from './save-dialog.html';
 
 /** @typedef {import('./choices.js').Purpose} Purpose */
+/** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {import('./making.js').Made} Made */
 
 /** The longer side of the preview's picture, in pixels. */
@@ -28,9 +26,8 @@ const PREVIEW = 900;
 /** The file is made when the choices have not changed for this time, in milliseconds. */
 const PAUSE = 200;
 
-/** Whether a file of this format holds the strokes of the drawing one by one. @param {string} name */
-const isStrokes = (name) =>
-    name in FORMATS && FORMATS[/** @type {import('../protocol.js').Format} */ (name)].content === 'strokes';
+/** Whether a file of this format holds the strokes of the drawing one by one. @param {Format} name */
+const isStrokes = (name) => FORMATS[name].content === 'strokes';
 
 /** A problem without a place. @param {string | null} reason @returns {import('../protocol.js').Diagnostic} */
 const notMade = (reason) => ({
@@ -48,7 +45,6 @@ const notMade = (reason) => ({
  * @typedef {object} SaveDialog
  * @property {import('../state/store.js').Store} store
  * @property {() => import('../protocol.js').Canvas} canvas
- * @property {readonly import('./choices.js').CustomRow[]} custom
  * @property {HTMLDialogElement} dialog
  * @property {HTMLButtonElement} save
  * @property {HTMLButtonElement} stop
@@ -62,7 +58,7 @@ const notMade = (reason) => ({
  * @property {number} timer
  * @property {boolean} isOwnChoice Whether the reader has chosen a format while the dialog is open
  * @property {boolean} isSaving Whether the reader waits for the file
- * @property {Map<Purpose, {name: string, why: string}>} advised By purpose, the format that is taken for this drawing in place of the remembered one, and why
+ * @property {Map<Purpose, {name: Format, why: string}>} advised By purpose, the format that is taken for this drawing in place of the remembered one, and why
  */
 
 /**
@@ -72,9 +68,8 @@ const notMade = (reason) => ({
  * @param {ReturnType<typeof import('./exports.js').createExports>} page.exports
  * @param {ReturnType<typeof import('./save-file.js').createSaveFile>} page.files
  * @param {() => import('../protocol.js').Canvas} page.canvas
- * @param {readonly import('./choices.js').CustomRow[]} page.custom
  */
-export function createSaveDialog({ store, remembered, exports, files, canvas, custom }) {
+export function createSaveDialog({ store, remembered, exports, files, canvas }) {
     addElements(markup, [styles]);
 
     const { choices, groups, remember } = remembered;
@@ -87,7 +82,6 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     const self = {
         store,
         canvas,
-        custom,
         dialog: byId('save-dialog', HTMLDialogElement),
         save: button('save-now'),
         stop: button('save-stop'),
@@ -154,16 +148,12 @@ function chosenRow(self) {
     );
 }
 
-/** The chosen format; null for a custom row. @param {SaveDialog} self */
-function format(self) {
-    const { name } = chosenRow(self);
-    return name in FORMATS ? /** @type {import('../protocol.js').Format} */ (name) : null;
-}
+/** The chosen format. @param {SaveDialog} self */
+const format = (self) => chosenRow(self).name;
 
-/** What is wanted, if a format is chosen. @param {SaveDialog} self */
+/** What is wanted. @param {SaveDialog} self */
 function wanted(self) {
     const name = format(self);
-    if (!name) return null;
     const values = valuesFor(name, self.choices);
     return { format: name, values: isPoster(self) ? { ...values, ...posterValues(self.choices.poster) } : values };
 }
@@ -203,22 +193,17 @@ function showRows(self) {
 /** @param {SaveDialog} self */
 function showOptions(self) {
     const name = format(self);
-    const names = name ? FORMATS[name].options : [];
+    const names = FORMATS[name].options;
     const own = isPoster(self) ? names.filter((each) => each !== 'size' && each !== 'dpi') : names;
     html('save-options').replaceChildren(
         ...(isPoster(self) ? self.fields.poster(self.choices.poster, (changed) => choosePoster(self, changed)) : []),
-        ...(name ? self.fields.of(own, self.choices.values) : []),
+        ...self.fields.of(own, self.choices.values),
     );
     setText(html('save-advice'), self.advised.get(self.choices.purpose)?.why ?? '');
     html('save-options-set').hidden = names.length === 0;
-    const custom = customRow(self);
-    setText(self.save, custom ? custom.action : say`Save`);
-    setText(html('save-name'), name ? savedName(fileName(self.store.state), name) : '');
+    setText(html('save-name'), savedName(fileName(self.store.state), name));
     refresh(self, 0);
 }
-
-/** @param {SaveDialog} self */
-const customRow = (self) => self.custom.find(({ name }) => name === chosenRow(self).name);
 
 /** @param {SaveDialog} self @param {Purpose} purpose */
 function choosePurpose(self, purpose) {
@@ -227,7 +212,7 @@ function choosePurpose(self, purpose) {
     showRows(self);
 }
 
-/** @param {SaveDialog} self @param {string} name */
+/** @param {SaveDialog} self @param {Format} name */
 function chooseFormat(self, name) {
     self.choices.formats[self.choices.purpose] = name;
     self.advised.delete(self.choices.purpose);
@@ -259,7 +244,7 @@ function advise(self) {
 /**
  * Tells which formats can hold a drawing that has too many segments for a file of strokes, and takes one.
  * @param {SaveDialog} self
- * @param {string} name
+ * @param {Format} name
  * @param {Made} made
  */
 function adviseAfter(self, name, { diagnostics }) {
@@ -291,7 +276,6 @@ function refresh(self, pause) {
     setText(html('save-size'), '');
     self.timer = window.setTimeout(() => {
         const what = wanted(self);
-        if (!what) return self.preview.showDrawing();
         // A large picture takes long, so it is made when it is saved.
         if (FORMATS[what.format].content === 'pixels') {
             setText(
@@ -308,7 +292,6 @@ function refresh(self, pause) {
 /** @param {SaveDialog} self @param {Made} made */
 function changed(self, made) {
     const name = format(self);
-    if (!name) return;
     const { state, size, diagnostics, reason } = made;
     if (state === 'making')
         setText(html('save-size'), size > 0 ? say`${sizeWords(size)} so far` : say`Making the file…`);
@@ -339,13 +322,8 @@ function setSaving(self, saving) {
 
 /** @param {SaveDialog} self */
 async function saveNow(self) {
-    const own = customRow(self);
-    if (own) {
-        self.dialog.close();
-        return own.open();
-    }
     const what = wanted(self);
-    if (!what || self.isSaving) return;
+    if (self.isSaving) return;
     clearTimeout(self.timer);
     setSaving(self, true);
     const { state, blob, diagnostics } = await self.making.whole(what);

@@ -11,23 +11,12 @@ import { createSaveFile } from './save-file.js';
 /** @typedef {import('../protocol.js').Format} Format */
 
 /** @param {import('../dialogs/dialogs.js').Page} page */
-export function createSave({ store, engine, storage, stage, open }) {
-    /** Dialogs of their own, which appear among the formats. @type {import('./choices.js').CustomRow[]} */
-    const custom = [
-        {
-            name: 'film',
-            purposes: ['film'],
-            label: say`Film`,
-            help: say`Growth, the turtle's way, a turn, or any numbers that change: as GIF or video`,
-            action: say`Make a film…`,
-            open: () => void open('film'),
-        },
-    ];
+export function createSave({ store, engine, storage, stage }) {
     const canvas = stage.resolution;
-    const remembered = rememberedChoices(storage, custom);
+    const remembered = rememberedChoices(storage);
     const exports = createExports();
     const files = createSaveFile({ store, engine, exports, canvas });
-    const dialog = createSaveDialog({ store, remembered, exports, files, canvas, custom });
+    const dialog = createSaveDialog({ store, remembered, exports, files, canvas });
 
     return {
         open: dialog.open,

@@ -289,6 +289,7 @@ test('the lesson works from a disk', () =>
 
 test('what a program printed is compared with the system', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20AB%0AB%20-%3E%20A&n=4' }, async (page) => {
+        await page.click('#tab-save');
         await page.click('#check-program');
         await page.fill('#check-output', 'ABAABABA');
         await page.waitForSelector('#check-result.agrees');
@@ -302,6 +303,7 @@ test('what a program printed is compared with the system', () =>
             'the string is open there',
         );
         await page.click('#close-reader');
+        await page.click('#tab-save');
         await page.click('#check-program');
         await page.setInputFiles('#check-file', {
             name: 'out.txt',

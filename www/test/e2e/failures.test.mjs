@@ -31,6 +31,7 @@ const DIALOGS = [
     [
         'the check of a program',
         async (page) => {
+            await page.click('#tab-save');
             await page.click('#check-program');
             await page.fill('#check-output', 'F[+F]F');
         },

@@ -203,19 +203,24 @@ test('the star adds the system to favourites', () =>
         );
     }));
 
-test('the first screen of a laptop has at most 26 controls', () =>
-    withPage({ options: { viewport: { width: 1280, height: 657 } } }, async (page) => {
-        const seen = await page.evaluate(() =>
-            [...document.querySelectorAll('button, a, input, textarea, select, summary')]
-                .filter((control) => {
-                    const { left, right, top, bottom } = control.getBoundingClientRect();
-                    const [x, y] = [(left + right) / 2, (top + bottom) / 2];
-                    return right - left > 1 && control.contains(document.elementFromPoint(x, y));
-                })
-                .map(({ id, textContent }) => id || textContent),
-        );
-        assert.ok(seen.length > 15 && seen.length <= 26, `${seen.length}: ${seen.join()}`);
-    }));
+for (const { device, most, options } of some([
+    { device: 'a laptop', most: 22, options: { viewport: { width: 1280, height: 657 } } },
+    { device: 'a phone', most: 23, options: PHONE },
+    { device: 'a large screen', most: 37, options: { viewport: { width: 1920, height: 1080 } } },
+]))
+    test(`the first screen of ${device} has at most ${most} controls`, () =>
+        withPage({ options }, async (page) => {
+            const seen = await page.evaluate(() =>
+                [...document.querySelectorAll('button, a, input, textarea, select, summary')]
+                    .filter((control) => {
+                        const { left, right, top, bottom } = control.getBoundingClientRect();
+                        const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+                        return right - left > 1 && control.contains(document.elementFromPoint(x, y));
+                    })
+                    .map(({ id, textContent }) => id || textContent),
+            );
+            assert.ok(seen.length > 15 && seen.length <= most, `${seen.length}: ${seen.join()}`);
+        }));
 
 test('a new system has the look of the opening plant', () =>
     withPage({}, async (page) => {
@@ -233,9 +238,8 @@ test('letters that draw nothing are told, with the dialect in which they draw', 
     withPage({ hash: '#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5DX&n=3&angle=30' }, async (page) => {
         await page.click('#tab-turtle');
         assert.match(await text(page, '#legend-hint'), /^X draws nothing \(course assignments: every letter draws\)/);
-        await page.click('#letters-draw');
+        await page.selectOption('#dialect', 'every-letter');
         await until(async () => !(await page.isVisible('#legend-hint')), 'every letter draws');
-        assert.equal(await page.inputValue('#dialect'), 'every-letter');
     }));
 
 test('on the first visit the plant grows once, and any input ends it', () =>
@@ -263,4 +267,21 @@ test('on the first visit the plant grows once, and any input ends it', () =>
         assert.ok(await grows());
         await page.keyboard.press('Shift');
         assert.ok(!(await grows()), 'a key ends it');
+    }));
+
+test('one press makes an empty drawing draw', () =>
+    withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20AB%0AB%20-%3E%20A&n=4', drawing: null }, async (page) => {
+        await page.waitForSelector('#empty:visible');
+        await page.click('#mend');
+        await page.waitForSelector('#empty', { state: 'hidden' });
+        assert.equal(await page.inputValue('#dialect'), 'every-letter');
+        assert.ok(!(await page.isVisible('#mend')));
+    }));
+
+test('a press gives a system leaves', () =>
+    withPage({}, async (page) => {
+        await page.click('#leaves > summary');
+        await page.click('#leaves button >> nth=0');
+        assert.match(await page.inputValue('#overrides'), /: .*leaf heart/);
+        assert.match(await page.inputValue('#rules'), /L\]/);
     }));

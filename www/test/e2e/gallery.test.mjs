@@ -192,6 +192,19 @@ test('the foot of the gallery takes no room, and lies over the cards while a sys
         assert.equal(await height(), before);
     }));
 
+test('the first surprises are ready, without the tool that makes others', () =>
+    withPage({ before: (page) => page.route('**/tools-*.wasm', (route) => route.abort()) }, async (page) => {
+        const titles = new Set();
+        for (let press = 0; press < 4; press++) {
+            const before = await page.textContent('#specimen-title');
+            await page.click('#surprise');
+            await until(async () => (await page.textContent('#specimen-title')) !== before, 'a new system');
+            titles.add(await page.inputValue('#rules'));
+        }
+        assert.equal(titles.size, 4);
+        assert.equal(await page.getAttribute('#surprise', 'aria-busy'), null);
+    }));
+
 test('a surprise opens a new system, and undo goes back', () =>
     withPage({}, async (page) => {
         const rules = () => page.inputValue('#rules');

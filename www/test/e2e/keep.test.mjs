@@ -360,7 +360,8 @@ test('a sandboxed frame without storage works and says so', () =>
         await inside.locator('#angle').fill('50');
         await inside.locator('#tab-save').click();
         assert.ok(await inside.locator('#favourites-refused').isVisible());
-        await inside.locator('#copy-link').click();
+        await inside.locator('#share').click();
+        await inside.locator('#copy-share').click();
         await until(
             async () => (await inside.locator('#share-status').textContent()) !== '',
             'the dialog, or the clipboard',

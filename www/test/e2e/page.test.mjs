@@ -720,9 +720,9 @@ test('Copy link copies the address of the shown picture', () =>
         },
         async (page) => {
             await page.fill('#iterations', '2');
-            await page.click('#tab-save');
-            await page.click('#copy-link');
-            await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
+            await page.click('#share');
+            await page.click('#copy-share');
+            await until(async () => (await text(page, '#share-status')) === 'Link copied', 'the note');
             const copied = await page.evaluate(() => navigator.clipboard.readText());
             assert.equal(new URL(copied).hash, KOCH.replace('n=4', 'n=2'));
         },
@@ -798,7 +798,7 @@ test('on a phone everything is within reach', () =>
                 `${control} ${JSON.stringify(box)}`,
             );
         }
-        assert.ok(await page.isVisible('#fit'));
+        assert.ok(!(await page.isVisible('#fit')), 'the drawing is fitted');
         // Undo is hidden while there is nothing to undo.
         assert.ok(!(await page.isVisible('#undo')));
         assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 195 + 40, 'the stem is in sight');
@@ -868,9 +868,9 @@ test('the page works if storage and clipboard are refused', () =>
         },
         async (page) => {
             await page.click('#theme');
-            await page.click('#tab-save');
-            await page.click('#copy-link');
-            await until(async () => (await text(page, '#share-status')).includes('clipboard'), 'the note');
+            await page.click('#share');
+            await page.click('#copy-share');
+            await until(async () => (await text(page, '#share-status')).includes('selected'), 'the note');
             await page.click('#close-share');
             assert.ok((await picture(page)).ink > 0.001);
         },

@@ -51,7 +51,7 @@ async function save(page, titles, standard) {
         await page.click('#share');
         await page.click('#share-scorm > summary');
     }
-    if (titles.length === 0) await page.check('#scorm-lesson');
+    if (titles.length === 0 && (await page.inputValue('#scorm-own')) === '') await page.check('#scorm-lesson');
     for (const title of titles) await page.check(`#scorm-list label:has(span:text-is("${title}")) input`);
     await page.selectOption('#scorm-standard', standard);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#scorm-save')]);
@@ -238,6 +238,51 @@ test('a page left untouched is incomplete without a score', () =>
         assert.match(values['cmi.core.session_time'] ?? '', /^0000:0\d:\d\d\.\d\d$/);
         await brokeNothing(page);
     }));
+
+/** The link of an exercise with variants. @returns {Promise<string>} */
+async function variedLink() {
+    let link = '';
+    await withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F%5B%2BF%5DF&n=3&angle=20' }, async (page) => {
+        await page.click('#tab-save');
+        await page.click('#make-exercise');
+        await page.check('#maker-varied input[value=angle]');
+        link = await until(async () => {
+            const now = await page.inputValue('#maker-link');
+            const is = /^\d+ targets/.test((await page.textContent('#maker-variants')) ?? '');
+            return is && now !== '' && (await page.locator('#maker-made:visible').count()) > 0 ? now : null;
+        }, 'the link');
+    });
+    return link;
+}
+
+test('a package of one exercise fills its frame, and takes the name from the learning system', async () => {
+    const link = await variedLink();
+    await withPage({}, async (page) => {
+        await page.click('#share');
+        await page.click('#share-scorm > summary');
+        await page.fill('#scorm-own', link);
+        packages.set('varied 1.2', (await save(page, [], '1.2')).files);
+    });
+    for (const { width, height } of some([
+        { width: 1000, height: 640 },
+        { width: 760, height: 640 },
+        { width: 390, height: 844 },
+    ]))
+        await inSystem({ kind: 'varied', options: { viewport: { width, height } } }, async (page) => {
+            const task = outer(page).locator('l-system.task');
+            await inner(page).locator('#mark-percent:not(:empty)').waitFor();
+            assert.match((await task.getAttribute('link')) ?? '', /&by=Muster%2C%20Anna%20\(student-1\)/);
+            assert.match((await inner(page).locator('#variant').textContent()) ?? '', /for Muster, Anna \(student-1\)/);
+            const wide = (await task.boundingBox())?.width ?? 0;
+            assert.ok(wide > 0.85 * width, `${wide} of ${width}`);
+            for (const picture of ['#target', '#stage']) {
+                const box = await inner(page).locator(picture).boundingBox();
+                assert.ok(box && box.height >= 240 && box.width >= 0.35 * width, `${picture} ${JSON.stringify(box)}`);
+            }
+            assert.ok(await inner(page).locator('#rules').isVisible());
+            await brokeNothing(page);
+        });
+});
 
 for (const [name, options] of some(
     /** @type {const} */ ([

@@ -31,7 +31,6 @@ const BUTTONS = [
     '#tapers',
     '#shadows',
     '#shapes',
-    '#copy-link',
     '#add-favourite',
     'summary',
     '#renew-later',

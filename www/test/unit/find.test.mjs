@@ -96,6 +96,17 @@ test('what several workers found is one list: the shortest that are found, or th
         [0.95, 0.91],
     );
     assert.deepEqual([close.searched, close.work, close.isMore], ['little', 10, true]);
+    // One rule with several iterations is one answer, and what hardly resembles the picture is none.
+    const koch = [5, 4, 7].map((iterations) => ({
+        ...candidate('F -> F-F', 1, 4),
+        definition: { ...candidate('F -> F-F', 1, 4).definition, iterations },
+        key: String(iterations),
+    }));
+    const [one, ...others] = merged([{ ...slow, candidates: koch }]).candidates;
+    assert.deepEqual([one?.definition.iterations, one && 'n' in one && one.n, others], [5, [5, 4, 7], []]);
+    assert.equal(verdict(merged([{ ...slow, candidates: koch }]), false), 'One system draws this picture.');
+    const far = merged([{ ...slow, candidates: [candidate('F -> FF', 0.49, 3)] }]);
+    assert.match(verdict(far, false), /comes close/);
     assert.match(verdict(close, false), /None of the searched systems draws this picture. The nearest/);
     const found = { ...slow, candidates: [candidate('F -> F-F-F', 1, 6), candidate('F -> F-F', 0.99, 4)] };
     assert.deepEqual(

@@ -16,22 +16,13 @@ import {
 } from '../../js/save/choices.js';
 import { createMaking } from '../../js/save/making.js';
 import { firstLines, sheetOf } from '../../js/save/preview.js';
-import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/late-tables.js';
+import { FILE_OPTIONS, FORMATS } from '../../js/late-tables.js';
 import { Cancelled } from '../../js/engine/tool.js';
 
 /** @typedef {import('../../js/save/making.js').Made} Made */
 
-const film = {
-    name: 'film',
-    purposes: [/** @type {const} */ ('film')],
-    label: 'Film',
-    help: 'Growth',
-    action: 'Make a film…',
-    open: () => {},
-};
-
 test('every format stands in the groups of its purposes, and dialogs of their own stand among them', () => {
-    const groups = groupsOf([]);
+    const groups = groupsOf();
     const placed = groups.flatMap(({ purpose, rows }) => rows.map(({ name }) => `${name} ${purpose}`));
     assert.deepEqual(
         placed.sort(),
@@ -40,24 +31,13 @@ test('every format stands in the groups of its purposes, and dialogs of their ow
             .sort(),
     );
     assert.ok(groups.every(({ rows }) => rows.length > 0));
-    assert.deepEqual(
-        groupsOf([film]).map(({ purpose }) => purpose),
-        Object.keys(PURPOSES),
-    );
     for (const purpose of ['screen', 'print'])
         assert.equal(
-            groupsOf([])
+            groupsOf()
                 .find((group) => group.purpose === purpose)
                 ?.rows.some(({ name }) => name === 'png'),
             true,
         );
-    assert.deepEqual(
-        groupsOf([film])
-            .find(({ purpose }) => purpose === 'film')
-            ?.rows.map(({ name }) => name)
-            .includes('film'),
-        true,
-    );
 });
 
 const POSTER = { sheet: 'a3', landscape: false, dpi: 300 };
@@ -69,7 +49,7 @@ test('posters have the pixels of their sheets', () => {
 });
 
 test('remembered choices are kept as far as they are possible', () => {
-    const groups = groupsOf([]);
+    const groups = groupsOf();
     const none = choicesFrom(undefined, groups);
     assert.deepEqual(none, { purpose: 'screen', formats: {}, values: {}, poster: POSTER });
     assert.equal(rowOf(none, groups).name, 'svg');

@@ -110,7 +110,13 @@ function opened(standard, faults = {}) {
 test('SCORM 1.2 gets status, score, time, state and answers', () => {
     const { system, scorm, wait } = opened('1.2');
     assert.equal(scorm.open(), null);
-    assert.deepEqual(scorm.read(), { state: '', student: 'student-1', isGraded: true, isPassed: false });
+    assert.deepEqual(scorm.read(), {
+        state: '',
+        student: 'student-1',
+        name: 'Muster, Anna',
+        isGraded: true,
+        isPassed: false,
+    });
     assert.equal(scorm.tell({ part: null, isPassed: false, answers: [] }), null);
     assert.equal(system.kept['cmi.core.lesson_status'], 'incomplete');
     assert.equal(system.kept['cmi.core.score.raw'], '');

@@ -1,7 +1,7 @@
 //! The rules of a picture, searched with all cores.
 
 use super::pixels::grey;
-use super::{Answer, MAX_LISTED, gallery, is_over};
+use super::{Answer, MAX_LISTED, gallery, is_over, short};
 use crate::cli::Known;
 use crate::{CommandFailure, cores, print, say};
 use lsystem::base::counted;
@@ -41,6 +41,8 @@ const MAX: u64 = 1 << 22;
 /// a system that is nearly the same was found, for one that is the same.
 const AFTER_SAME: u32 = 1;
 const AFTER_NEAR: u32 = 3;
+/// Systems whose ink agrees less are not listed.
+const LEAST: f64 = 0.5;
 
 #[derive(Serialize)]
 struct Candidate {
@@ -133,6 +135,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     search(&mut parts, known.end());
     let (mut kept, searched) = merged(&parts.iter().collect::<Vec<_>>());
     let is_found = kept.first().is_some_and(|drawn| drawn.agreement >= FOUND);
+    kept.retain(|one| one.agreement >= LEAST);
     kept.truncate(MAX_LISTED);
     print(|out| match json {
         true => {
@@ -183,7 +186,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                 writeln!(out, "{text}\n  {how}; {ink}\n")?;
             }
             let none = if kept.is_empty() { format!("{} ", say!("Nothing found.")) } else { String::new() };
-            writeln!(out, "{none}{}", say!("Searched: {}.", searched))
+            writeln!(out, "{none}{}", say!("Searched: {}.", short(&searched)))
         }
     })?;
     if is_found { Ok(()) } else { Err(CommandFailure::Said) }

@@ -1,5 +1,7 @@
 //! Hints against the mistakes that caused them: every change of one symbol of ten systems, and of one number of others.
 
+mod numbers;
+
 use crate::naive::is_same;
 use crate::naive::systems::{one_symbol_edits, systems};
 use expect_test::expect_file;

@@ -72,7 +72,7 @@ fn inked(grey: &Grey) -> Option<Grey> {
     let grey = if light::is_light_on_dark(grey) { grey.clone().inverted() } else { grey.clone() };
     let mut even = light::evened(&grey);
     let level = threshold(&even.levels);
-    let runs = drawing(even.width, even.height, |x, y| even.levels[y * even.width + x] <= level)?;
+    let runs = drawing(even.width, even.height, true, |x, y| even.levels[y * even.width + x] <= level)?;
     let mut kept = vec![false; even.levels.len()];
     for run in runs {
         let (left, right) = ((run.left as usize).saturating_sub(EDGE), (run.right as usize + EDGE).min(even.width));

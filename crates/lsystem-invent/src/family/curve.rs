@@ -74,8 +74,8 @@ pub(super) fn make(dice: &mut Dice, is_island: bool) -> Definition {
         if is_island { &["island", "coast", "wreath", "snowflake"] } else { &["curve", "meander", "braid", "ribbon"] };
     made.title = title(dice, colours.hue, kinds);
     made.style.colour_by = if by == 0 { ColourBy::Single } else { ColourBy::Path };
-    made.style.width = dice.rounded(0.16, 0.4);
-    made.style.min_width = 0.8;
+    made.style.width = dice.rounded(0.3, 0.5);
+    made.style.min_width = 1.5;
     made.style.max_width = 1.2;
     paint(&mut made, colours);
     made

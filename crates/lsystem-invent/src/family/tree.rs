@@ -1,4 +1,4 @@
-//! Trees in space: each branch ends in two to four shorter and thinner ones.
+//! Trees in space: each branch ends in two to four shorter and thinner ones, and the last ones in leaves.
 
 use super::paint;
 use crate::dice::Dice;
@@ -22,13 +22,9 @@ pub(super) fn make(dice: &mut Dice) -> Definition {
         }
     }
     let mut rules = format!("w = {}\nA(l,w) -> {successor}", dice.rounded(3.0, 5.5));
-    let has_leaves = dice.chance(0.75);
-    if has_leaves {
-        let size = dice.rounded(1.2, 2.2);
-        rules += &format!(
-            "\ndraw:\nA(l,w) -> !(w)F(l*0.6)'[&(38)L(l*{size})]/(120)'[&(62)L(l*{size})]/(120)[&(50)L(l*{size})]"
-        );
-    }
+    let size = dice.rounded(1.2, 2.2);
+    rules +=
+        &format!("\ndraw:\nA(l,w) -> !(w)F(l*0.6)'[&(38)L(l*{size})]/(120)'[&(62)L(l*{size})]/(120)[&(50)L(l*{size})]");
     let trunk = dice.between(4.0, 18.0).round();
     let first = dice.between(26.0, 36.0).round();
     let mut made = Definition {
@@ -38,12 +34,7 @@ pub(super) fn make(dice: &mut Dice) -> Definition {
         ..Definition::default()
     };
     let colours = palette::plant(dice, 2);
-    if has_leaves {
-        made.overrides = format!("L: leaf {} 1", dice.one(["lance", "heart", "oak", "petal"]));
-    } else {
-        made.style.palette_holds = true;
-        made.style.colour_by = lsystem_syntax::ColourBy::Level;
-    }
+    made.overrides = format!("L: leaf {} 1", dice.one(["lance", "heart", "oak", "petal"]));
     if dice.chance(0.3) {
         made.tropism = [0.0, -1.0, 0.0];
         made.elasticity = dice.one([-1.0, 1.0]) * dice.rounded(0.05, 0.16);

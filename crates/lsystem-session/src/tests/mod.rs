@@ -2,6 +2,7 @@
 
 mod limits;
 mod mates;
+mod mending;
 mod reading;
 mod schedule;
 mod zoom;
