@@ -30,13 +30,13 @@ pub(crate) struct Joined {
     /// The segments before it.
     pub right: usize,
     /// Whether it is too short or too long beside its carrier; `None` if it turns otherwise.
-    pub length: Option<Sized>,
+    pub length: Option<LengthFault>,
     /// Whether all segments that have carriers are like it.
     pub is_every: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Sized {
+pub(crate) enum LengthFault {
     TooShort,
     TooLong,
 }
@@ -79,9 +79,9 @@ impl Branches {
 }
 
 /// The difference of a segment from the target's, if there is one: of its length, or else of its turn.
-fn difference([own, target]: &[Joint; 2]) -> Option<Option<Sized>> {
+fn difference([own, target]: &[Joint; 2]) -> Option<Option<LengthFault>> {
     if (own.ratio - target.ratio).abs() > NEAR * target.ratio {
-        return Some(Some(if own.ratio < target.ratio { Sized::TooShort } else { Sized::TooLong }));
+        return Some(Some(if own.ratio < target.ratio { LengthFault::TooShort } else { LengthFault::TooLong }));
     }
     (turned(own.turns[0], target.turns[0]).abs() > NEAR).then_some(None)
 }

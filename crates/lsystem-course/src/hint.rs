@@ -1,6 +1,6 @@
 //! Hints for wrong answers: what is probably wrong, found by trying.
 
-use crate::branches::{Branches, Joined, Sized};
+use crate::branches::{Branches, Joined, LengthFault};
 use crate::difference::{Difference, Kind};
 use crate::exercise::{Exercise, Given};
 use crate::mark::{Marker, counted};
@@ -165,8 +165,8 @@ impl Marker {
             _ => say!("The first {} segments are right. The next", counted(&Tally::from(right as u128))),
         };
         let fault = match length {
-            Some(Sized::TooShort) => say!("{} is too short beside the one that carries it.", subject),
-            Some(Sized::TooLong) => say!("{} is too long beside the one that carries it.", subject),
+            Some(LengthFault::TooShort) => say!("{} is too short beside the one that carries it.", subject),
+            Some(LengthFault::TooLong) => say!("{} is too long beside the one that carries it.", subject),
             None => say!("{} turns by another angle.", subject),
         };
         Some(format!("{fault} {nudge}").trim_end().to_owned())
