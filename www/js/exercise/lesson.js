@@ -9,9 +9,15 @@ import { createSteps } from './steps.js';
 
 /** A row for each step that is done, and one for the place. @typedef {import('../state/rows.js').Row & {at?: number}} Place */
 
-/** @param {unknown} stored */
-const readPlace = (stored) =>
-    Array.isArray(stored) ? stored.filter((row) => typeof row?.id === 'string' && !row.gone) : [];
+/** Reads the rows, also from before there were any. @param {unknown} stored */
+function readPlace(stored) {
+    if (Array.isArray(stored)) return stored.filter((row) => typeof row?.id === 'string' && !row.gone);
+    const { at, done, steps } = /** @type {any} */ (stored ?? {});
+    // Pages without a number of steps began with step 1.
+    const shift = steps === undefined ? 1 : 0;
+    if (!Number.isInteger(at) || !Array.isArray(done)) return [];
+    return [{ id: 'at', at: at + shift }, ...done.map((step) => ({ id: String(step + shift) }))];
+}
 
 /** @type {ReturnType<typeof createRows<Place>>} */
 const rows = createRows(

@@ -291,6 +291,14 @@ test('the lesson begins with a plant and ends with an own one, which goes to the
         assert.equal(await opened.inputValue('#rules'), 'X -> F[+X]F[-X]X\nF -> FF');
     }));
 
+test('a lesson that was begun when it had no step 0 goes on where it was', () =>
+    withPage({ address: ADDRESS, hash: 'course.html', drawing: null }, async (page) => {
+        await page.evaluate(() => localStorage.setItem('l-system-lesson', '{"at":3,"done":[0,2]}'));
+        await page.goto(`${ADDRESS}course.html`);
+        assert.equal(await page.textContent('.step.now h2'), '4. Two letters');
+        assert.deepEqual(await page.locator('.places .done').allTextContents(), ['1', '3']);
+    }));
+
 test('an exercise that draws nothing yet says which rule to write', () => {
     const x = EXERCISES.find(({ id }) => id === 'twigs')?.x;
     return withPage({ address: `${ADDRESS}exercise.html`, hash: `#v=1&x=${x}`, drawing: null }, async (page) => {
