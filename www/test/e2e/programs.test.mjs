@@ -305,7 +305,7 @@ test('a class is marked in the page, each program alone', async () => {
     );
     await withPage({}, async (page) => {
         await page.click('#tab-save');
-        await page.click('#open-marks');
+        await page.click('#mark-answers');
         await page.fill('#marks-answers', answers.join('\n'));
         await page.waitForFunction(
             () => /of 4 solved/.test(document.getElementById('marks-status')?.textContent ?? ''),
