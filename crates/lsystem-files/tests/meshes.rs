@@ -132,7 +132,7 @@ fn no_wall_of_a_print_is_thinner_than_asked() {
     let (thinnest, remark) = width(&FileOptions { height: 20.0, ..usual.clone() });
     assert!((0.8..0.95).contains(&thinnest), "{thinnest}");
     let remark = remark.unwrap();
-    assert!(remark.message.starts_with("62 strokes would be thinner than 0.8 mm"), "{}", remark.message);
+    assert!(remark.message.starts_with("84 strokes would be thinner than 0.8 mm"), "{}", remark.message);
     // From the height that is told on, no stroke is made thicker.
     let told: f64 = remark.hint.unwrap().split(' ').find_map(|word| word.parse().ok()).unwrap();
     assert_eq!(width(&FileOptions { height: told + 4.0, ..usual.clone() }).1, None);
