@@ -79,7 +79,7 @@ impl Rules {
                 let inside = node.group().unwrap_or_default();
                 let own = members(inside);
                 match from {
-                    _ if !own.is_empty() => self.object(from, own, span, weight),
+                    _ if !own.is_empty() => self.object(from, &own, span, weight),
                     Some(from) => self.alternatives(from, &elements(inside), span),
                     None => self.arguments(&elements(inside), span.clone()),
                 }
@@ -89,13 +89,13 @@ impl Rules {
     }
 
     /// The members of an object: the sides of a rule, alternatives with their weights, or rules by their predecessors.
-    fn object(&mut self, from: Option<&str>, own: Vec<Member<'_>>, span: &Range<usize>, weight: Option<f64>) {
+    fn object(&mut self, from: Option<&str>, own: &[Member<'_>], span: &Range<usize>, weight: Option<f64>) {
         let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
         let has = |keys: &[&str]| own.iter().any(|member| member.key.len() > 1 && keys.contains(&&*member.key));
         // Not of `{A: "B", B: "AB"}`.
         let is_rule = has(words(Key::Predecessor)) && has(words(Key::Successor));
-        let (head, to) = match &own[..] {
-            [head, to] if is_pair(&own) && from.is_none() => (Some(head), Some(to)),
+        let (head, to) = match own {
+            [head, to] if is_pair(own) && from.is_none() => (Some(head), Some(to)),
             _ => (of(words(Key::Predecessor)).filter(|_| from.is_none() && is_rule), of(words(Key::Successor))),
         };
         if let (Some(from), Some(to)) = (from.or_else(|| head?.value.text()), to) {
@@ -125,7 +125,7 @@ impl Rules {
         }
         if let Some(from) = from {
             // `{"F": {"FF": 0.5, "F": 0.5}}`, `{"F": {0.5: "FF"}}`
-            for member in &own {
+            for member in own {
                 match (member.value.number(), decimal::read(&member.key).zip(member.value.text())) {
                     (Some(weight), _) => self.rule(from, &member.key, Some(weight), &member.span),
                     (None, Some((weight, to))) => self.rule(from, to, Some(weight), &member.span),
