@@ -10,10 +10,12 @@ use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
 /// Files that are useless offline or that repeat the others, and an example for those who build pages.
-const LEFT_OUT: [&str; 6] = [WORKER, "playground.html", "sitemap.xml", "llms.txt", "simple.html", "core.js"];
+const LEFT_OUT: [&str; 7] =
+    [WORKER, "playground.html", "sitemap.xml", "llms.txt", "simple.html", "core.js", "program.html"];
 /// How the paths of such files begin: pages for those who do not know the playground yet, pictures for installers,
 /// and the interpreter, of which few have a use.
-const BEGINNINGS_LEFT_OUT: [&str; 3] = ["gallery/", "icons/screen-", "pyodide/"];
+const BEGINNINGS_LEFT_OUT: [&str; 5] =
+    ["gallery/", "icons/screen-", "pyodide/", "lang/de/programs", "lang/fr/programs"];
 
 /// What the first screen needs, besides the page and its scripts.
 const FIRST: [&str; 6] =
