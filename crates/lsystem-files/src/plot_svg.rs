@@ -31,10 +31,10 @@ pub fn write_plot(
         let [r, g, b] = layer.rgb;
         // Programs for plotters take the number of a layer from the start of its label, or the pen from its end. Writing
         // to a `String` cannot fail.
-        let _ = write!(
+        let _ = writeln!(
             text,
             "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{number} {}, pen {number}\" \
-             fill=\"none\" stroke=\"#{r:02x}{g:02x}{b:02x}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
+             fill=\"none\" stroke=\"#{r:02x}{g:02x}{b:02x}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">",
             pen::name(layer.rgb)
         );
         for polyline in plot.polylines_of(layer) {

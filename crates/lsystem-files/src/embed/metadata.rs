@@ -39,7 +39,7 @@ pub(super) fn system_in(svg: &[u8]) -> Option<String> {
         rest = &rest[at + NAME.len()..];
         let prefix = before.rsplit(|&byte| byte == b'<').next().filter(|prefix| prefix.len() < before.len());
         let is_tag = prefix.is_some_and(|prefix| match prefix.split_last() {
-            Some((end, name)) => *end == b':' && name.iter().all(|byte| byte.is_ascii_alphanumeric()),
+            Some((end, name)) => *end == b':' && name.iter().all(u8::is_ascii_alphanumeric),
             None => true,
         });
         let is_whole = rest.first().is_some_and(|byte| byte.is_ascii_whitespace() || b"/>".contains(byte));
