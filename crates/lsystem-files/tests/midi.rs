@@ -90,7 +90,7 @@ fn read(file: &[u8]) -> Heard {
                         }
                         // The instruments that freepats has beside others.
                         MidiMessage::ProgramChange { program } => {
-                            assert!([0, 46, 13, 9, 8].contains(&program.as_int()))
+                            assert!([0, 46, 13, 9, 8].contains(&program.as_int()));
                         }
                         MidiMessage::Controller { .. } => {}
                         other => panic!("{other:?}"),
