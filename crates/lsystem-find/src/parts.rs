@@ -92,7 +92,7 @@ pub(crate) fn drawing(
         let is_small = f64::from(part.ink) < f64::from(largest.ink) * SMALL
             || is_page && (part.area() as f64) < largest.area() as f64 * SMALL_BOX;
         let is_speck = part.ink <= SPECK && largest.ink >= 1000 * part.ink;
-        !is_frame(part) && !(is_beside && is_small) && !is_speck
+        !(is_frame(part) || is_speck || is_beside && is_small)
     };
     let kept = runs.iter().zip(&owners).filter(|(_, owner)| is_kept(&parts[**owner as usize]));
     Some(kept.map(|(run, _)| *run).collect())
