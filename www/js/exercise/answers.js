@@ -31,27 +31,25 @@ const partOf = ({ id, time, mark, fields }) => ({ id: id.replace(/ .*/, ''), tim
 const runIn = (/** @type {Kept[]} */ list) => list.find((row) => row.id === 'run')?.run ?? 0;
 const atIn = (/** @type {Kept[]} */ list) => Number(list.find((row) => row.id === 'at')?.mark ?? 0);
 
-/** Reads what this browser keeps, also from before each attempt had rows, and from before there were any. @param {unknown} stored */
+/** @param {any} row */
+const isRow = ({ id, run, fields, mark }) =>
+    [id, fields].every((words) => typeof words === 'string') &&
+    Number.isInteger(run) &&
+    (mark === 'solved' || Number.isFinite(mark));
+
+/** Reads what this browser keeps, also from before each attempt had rows, and from before there were any. @param {unknown} stored @returns {Kept[]} */
 function readKept(stored) {
     if (Array.isArray(stored))
         return stored
-            .filter(
-                (row) =>
-                    typeof row?.id === 'string' &&
-                    Number.isInteger(row.run) &&
-                    typeof row.fields === 'string' &&
-                    (row.mark === 'solved' || Number.isFinite(row.mark)),
-            )
+            .filter((row) => row && isRow(row))
             .map((row) => {
                 const [, old, key] = /^(old )?([\da-f]{8}|own)$/.exec(row.id) ?? [];
                 return key ? { ...row, ...rowOf({ ...row, id: key }, old ? NONE : row.run) } : row;
             });
     const { text, rest, isSent } = /** @type {any} */ (stored ?? {});
-    const [parts, old] = [text, rest].map((one) => readAttempt(String(one))?.parts ?? []);
-    return [
-        ...(parts ?? []).map((part) => ({ ...rowOf(part, 0), ...(isSent === true ? { sent: true } : {}) })),
-        ...(old ?? []).map((part) => rowOf(part, NONE)),
-    ];
+    const rowsOf = (/** @type {unknown} */ words, /** @type {number} */ run, more = {}) =>
+        (readAttempt(String(words))?.parts ?? []).map((part) => ({ ...rowOf(part, run), ...more }));
+    return [...rowsOf(text, 0, isSent === true ? { sent: true } : {}), ...rowsOf(rest, NONE)];
 }
 
 /**

@@ -113,13 +113,11 @@ export function createResults(page) {
         /** @param {FindReport} report @param {{isString: boolean, isRunning: boolean}} how */
         show(report, { isString, isRunning }) {
             const old = cards;
+            const told = isString ? { ...page, told: say`derives it` } : page;
             cards = new Map(
                 report.candidates.map((candidate) => {
                     const key = JSON.stringify(candidate);
-                    return [
-                        key,
-                        old.get(key) ?? candidateCard(candidate, isString ? { ...page, told: say`derives it` } : page),
-                    ];
+                    return [key, old.get(key) ?? candidateCard(candidate, told)];
                 }),
             );
             const order = [...cards.values()];

@@ -138,14 +138,10 @@ export function createSaveDialog({ store, remembered, exports, files, canvas }) 
 }
 
 /** @param {SaveDialog} self */
-function chosenRow(self) {
-    const advice = self.advised.get(self.choices.purpose);
-    return rowOf(
-        advice
-            ? { ...self.choices, formats: { ...self.choices.formats, [self.choices.purpose]: advice.name } }
-            : self.choices,
-        self.groups,
-    );
+function chosenRow({ advised, choices, groups }) {
+    const advice = advised.get(choices.purpose);
+    const formats = { ...choices.formats, ...(advice ? { [choices.purpose]: advice.name } : {}) };
+    return rowOf({ ...choices, formats }, groups);
 }
 
 /** The chosen format. @param {SaveDialog} self */
