@@ -65,9 +65,7 @@ export function createSteps(keep) {
         if (task.classList.contains('own'))
             task.addEventListener('change', (event) => detail(event).by === 'visitor' && done(at));
     }
-    const isAlone = steps.length === 1;
-    document.body.classList.toggle('alone', isAlone);
-    fillWindow(tasks, isAlone);
+    fillWindow(tasks, document.body.classList.toggle('alone', steps.length === 1));
 
     return {
         tasks,
