@@ -5,13 +5,17 @@ use lsystem_course::{PageWords, Scorm, ScormPages, ScormStandard, scorm_package}
 use wasm_bindgen::prelude::*;
 
 /// Makes a package for learning systems, the bytes of a zip. `exercises` are values of `x` in links; none stands for the
-/// lesson. `steps`, `exercise` and `program` are the pages `package.html`, `exercise.html` and `program.html` of the site, `standard` is `1.2` or
-/// `2004`. `catalogue` has the words of the package's language as JSON.
+/// lesson. `steps`, `exercise` and `program` are the pages `package.html`, `exercise.html` and `program.html` of the site,
+/// `standard` is `1.2` or `2004`. `catalogue` has the words of the package's language as JSON.
 ///
 /// # Errors
 /// Throws a sentence if an exercise is damaged, if there are too many, or if the pages are not those of this version.
 #[wasm_bindgen(js_name = makePackage)]
-#[expect(clippy::needless_pass_by_value, reason = "lists of texts cross the boundary by value only")]
+#[expect(
+    clippy::needless_pass_by_value,
+    clippy::too_many_arguments,
+    reason = "lists of texts cross the boundary by value only, and structs do not cross it"
+)]
 pub fn make_package(
     exercises: Vec<String>,
     title: &str,
