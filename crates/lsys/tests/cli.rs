@@ -644,7 +644,7 @@ fn usage() {
         2,
         &expect![[r#"
             error: invalid value 'gif' for '--format <FORMAT>'
-              [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, midi, json, txt, csv, obj, glb, stl]
+              [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, midi, json, txt, csv, obj, glb, stl, scad]
 
             For more information, try '--help'.
         "#]],

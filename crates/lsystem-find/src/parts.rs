@@ -11,7 +11,7 @@ const SMALLEST_FRAME: u32 = 40;
 /// Parts beside the largest one are left out if they have less than this part of its ink.
 const SMALL: f64 = 0.02;
 /// Parts beside the largest one on a photographed page are left out if their box has less than this part of its area.
-const SMALL_BOX: f64 = 0.2;
+const SMALL_BOX: f64 = 0.25;
 /// The most pixels of a speck, if the largest part has at least a thousand times as many.
 const SPECK: u32 = 6;
 /// The most runs of ink, at 40 bytes each. Drawings of lines have fewer: a thousand in each of 4,000 rows.
@@ -80,8 +80,8 @@ pub(crate) fn drawing(
         return Some(runs);
     };
     // A drawing that is a frame itself, such as a square, has nothing of its size inside.
-    let whole: u64 = parts.iter().map(|part| u64::from(part.ink)).sum();
-    if f64::from(largest.ink) < whole as f64 * 0.1 {
+    let whole: u64 = parts.iter().map(|part| size(&part)).sum();
+    if (size(&&largest) as f64) < whole as f64 * 0.1 {
         return Some(runs);
     }
     let is_kept = |part: &Part| {

@@ -84,7 +84,7 @@ mod tests {
             "const SIZES = {\"\":0,",
             "\"page.js\":3",
             "const FIRST = [\"\",\"page.css\",",
-            "\"page.js\"];\nconst SOON = [\"lsystem-rest.wasm\"];\n",
+            "\"page.js\"];\nconst SOON = [\"lsystem-rest.wasm\",\"surprises.json\"];\n",
         ] {
             assert!(worker.contains(part), "{part}: {worker}");
         }

@@ -204,7 +204,7 @@ fn wrong_usage() {
         "draw a --format gif",
         &expect![[r#"
                 error: invalid value 'gif' for '--format <FORMAT>'
-                  [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, midi, json, txt, csv, obj, glb, stl]"#]],
+                  [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, midi, json, txt, csv, obj, glb, stl, scad]"#]],
     );
     check("draw a --size 10x10", &expect!["error: --size needs --format png"]);
     check("draw a --pen 0.5", &expect!["error: --pen needs --format plotter"]);
