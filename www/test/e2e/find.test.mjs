@@ -104,7 +104,8 @@ async function ask(page, known) {
 
 /** Opens the dialog. @param {Page} page */
 async function begin(page) {
-    await page.click('#section-rules [data-opens=find]');
+    await page.click('#tab-save');
+    await page.click('#section-save [data-opens=find]');
     await page.waitForSelector('#find[open]');
 }
 
@@ -174,7 +175,8 @@ test('a dropped picture without a system is offered, its rules are found and ope
         await page.click('#undo');
         assert.notEqual(await text(page, '#specimen-title'), 'Rules of curve');
         // The dialog keeps what it had.
-        await page.click('#section-rules [data-opens=find]');
+        await page.click('#tab-save');
+        await page.click('#section-save [data-opens=find]');
         await page.waitForSelector('.find-card:visible');
     }));
 
@@ -234,7 +236,8 @@ for (const [device, options] of some(
 )) {
     test(`the pictures of the assignment are tried with one click: ${device}`, () =>
         withPage({ options }, async (page) => {
-            await page.click('#section-rules [data-opens=find]');
+            await page.click('#tab-save');
+            await page.click('#section-save [data-opens=find]');
             await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
             await page.click('[data-example=hexerode]');
             await found(page);

@@ -65,7 +65,8 @@ test('requests nothing, and contains the gallery and the exports', () =>
 
 test('finds the rules of a picture', () =>
     withPage({ address }, async (page) => {
-        await page.click('#section-rules [data-opens=find]');
+        await page.click('#tab-save');
+        await page.click('#section-save [data-opens=find]');
         await page.click('[data-example=hexerode]');
         await page.waitForSelector('#find-verdict.found');
     }));

@@ -70,13 +70,13 @@ export const STATES = {
         await page.waitForSelector('.card-missing:visible');
     },
     'rules to be found': async (page) => {
-        await tab('rules')(page);
-        await page.click('#section-rules [data-opens=find]');
+        await tab('save')(page);
+        await page.click('#section-save [data-opens=find]');
         await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
     },
     'rules found': async (page) => {
-        await tab('rules')(page);
-        await page.click('#section-rules [data-opens=find]');
+        await tab('save')(page);
+        await page.click('#section-save [data-opens=find]');
         await page.click('[data-example=hexerode]');
         await page.waitForSelector('#find-verdict.found');
         await page.waitForSelector('.find-card .thumb.inked');
