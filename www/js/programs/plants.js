@@ -47,6 +47,7 @@ export function createPlants(task, drawing, { again, time }) {
 
     function clear() {
         setText(html('plant-steps'), say`n = ${n()}`);
+        steps.style.setProperty('--at', String(n() / Number(steps.max)));
         setText(html('plant-words'), '');
         html('times').replaceChildren();
         [result, word] = [null, null];
