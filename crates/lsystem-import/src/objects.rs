@@ -58,18 +58,19 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         branches: branches(&tree.nodes),
         // Lists of lists of Asymptote.
         first_counts: lower.contains(SUBSTITUTION) || text.contains("string[][]") && !text.contains("new"),
+        is_turtle_builder: text.contains(TURTLE_BUILDER),
     };
     reader.walk(&tree.nodes, "", &[]);
     reader.next_flat();
-    let Reader { mut systems, branches, first_counts, .. } = reader;
+    let Reader { mut systems, branches, first_counts, is_turtle_builder, .. } = reader;
     // One more than the limit, which is then said.
     systems.truncate(crate::MAX_ENTRIES + 1);
-    let is_turtle_builder = text.contains(TURTLE_BUILDER);
+    let is_lindenmayer = text.contains("setProduction");
     for system in systems.iter_mut().filter(|system| system.symbols == Symbols::Program) {
         if first_counts {
             system.keep_one(false);
         }
-        if text.contains("setProduction") {
+        if is_lindenmayer {
             lindenmayer(system);
         }
         if is_turtle_builder {
@@ -106,6 +107,8 @@ struct Reader<'a> {
     branches: Branches,
     /// Whether the first of several rules for a symbol is the only one.
     first_counts: bool,
+    /// Whether the text builds a system of dcc-lsystem.
+    is_turtle_builder: bool,
 }
 
 impl Reader<'_> {
@@ -286,7 +289,7 @@ impl Reader<'_> {
                 self.extend(span);
                 true
             }
-            ([heading], _) if function == "rotate" && self.text.contains(TURTLE_BUILDER) => {
+            ([heading], _) if function == "rotate" && self.is_turtle_builder => {
                 let Some(degrees) = heading.number() else { return false };
                 self.flat_mut(span.start).heading = Some(Said::new(degrees, span.clone()));
                 self.extend(span);
