@@ -212,7 +212,7 @@ test('pages have no scripts or styles of their own, and links to other sites do 
 test('the controls end with links to the documents, which open in a new tab', async () => {
     await withPage({}, async (page) => {
         const links = page.locator('.foot > a');
-        assert.deepEqual(await links.allTextContents(), ['Lesson', 'Notation', 'Links', 'Embedding', 'About']);
+        assert.deepEqual(await links.allTextContents(), ['Lesson', 'Notation', 'About']);
         for (const link of await links.all()) {
             const [opened] = await Promise.all([page.waitForEvent('popup'), link.click()]);
             await opened.waitForLoadState();

@@ -52,7 +52,7 @@ export const STATES = {
     },
     gallery: async (page) => {
         await page.click('#open-gallery');
-        await page.waitForSelector('.thumb.inked');
+        await page.waitForSelector('.thumb.inked:visible');
         await page.click('.chip >> nth=1');
     },
     'gallery without results': async (page) => {
