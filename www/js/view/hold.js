@@ -66,10 +66,10 @@ export function createHold({ grip, origin, seen, zoom, shift }) {
             return place;
         },
 
-        /** The place to hold while zooming in the middle; null if no line is within `reach` CSS pixels. @param {number} reach @returns {Promise<number[] | null>} */
+        /** The place to hold while zooming in the middle; null if no line is within `reach` CSS pixels, or a held one a little farther away. @param {number} reach @returns {Promise<number[] | null>} */
         async inMiddle(reach) {
             await clicked;
-            if (!heldNear([0, 0], reach)) await find([0, 0], reach);
+            if (!heldNear([0, 0], 1.5 * reach)) await find([0, 0], reach);
             return held?.place ?? null;
         },
 

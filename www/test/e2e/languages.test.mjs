@@ -123,8 +123,9 @@ for (const [language, words] of /** @type {const} */ ([
 }
 
 test('the built catalogues have all texts of the page, and no texts of the program', async () => {
-    const name = new URL('../../../dist/lang/de/words.json', import.meta.url);
-    const built = JSON.parse(await readFile(name, 'utf8'));
+    const words = async (/** @type {string} */ name) =>
+        JSON.parse(await readFile(new URL(`../../../dist/lang/de/${name}.json`, import.meta.url), 'utf8'));
+    const built = { ...(await words('words')), ...(await words('programs')) };
     const missing = [...FOUND].filter(([text, { place }]) => /^(www|data_in)\//.test(place) && !(text in built));
     assert.deepEqual(missing, []);
     assert.ok(!('Print the derived string' in built));
