@@ -190,6 +190,6 @@ test('F is a letter in text, and listed among the keys', () =>
 
 test('a phone has no button for it', () =>
     withPage({ options: PHONE }, async (page) => {
-        assert.ok(await page.isVisible('#fit'));
+        assert.ok(await page.isVisible('#surprise'));
         assert.equal(await page.isVisible('#project'), false);
     }));
