@@ -210,7 +210,7 @@ test('pages have no scripts or styles of their own, and links to other sites do 
 });
 
 test('the controls end with links to the documents, which open in a new tab', async () => {
-    await withPage({}, async (page) => {
+    await withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20FF&n=2' }, async (page) => {
         const links = page.locator('.foot > a');
         assert.deepEqual(await links.allTextContents(), ['Lesson', 'Notation', 'About']);
         for (const link of await links.all()) {
